@@ -1,0 +1,151 @@
+#pragma once
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "delaunay/adjacency.hpp"
+#include "delaunay/closed_hull.hpp"
+
+namespace delone::delaunay {
+
+/// The neighbour lists of sites 0 .. num_sites - 1 over the front faces of a closed hull.
+///
+/// A site is on the boundary if one of its faces is outside; its list then begins right after the
+/// outside. Nodes beyond num_sites (infinity) have outside faces only and are left out.
+///
+/// One walk around each site, in the order of sites. The faces remember where each arc stands in
+/// its list, so the reverse of an arc to an earlier site is known when the arc is written.
+template <class Hull, class IsFront>
+class HullLists {
+ public:
+  HullLists(Hull& hull, Site num_sites, IsFront is_front)
+      : hull_(hull), is_front_(is_front), num_sites_(num_sites) {}
+
+  [[nodiscard]] Adjacency::Lists build() {
+    // Until a site's list is written, its offset holds one of its corners, 4 * face + k.
+    lists_.offsets.resize(at(num_sites_) + 1);
+    lists_.is_boundary.assign(at(num_sites_), false);
+    std::int64_t num_corners = 0;
+    for (std::int32_t f = 0; f < hull_.num_faces(); ++f) {
+      if (is_front_(face(f))) {
+        note_corners(f);
+        num_corners += 3;
+      } else {
+        mark_boundary(f);
+      }
+    }
+    begin_after_outside();
+    const auto num_boundary = std::count(lists_.is_boundary.begin(), lists_.is_boundary.end(), true);
+    lists_.neighbors.resize(static_cast<std::size_t>(num_corners + num_boundary));
+    lists_.reverse.resize(lists_.neighbors.size());
+    write_lists();
+    return std::move(lists_);
+  }
+
+ private:
+  struct Spoke {
+    std::int32_t corner;
+    Site target;
+  };
+
+  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+  static std::int32_t next(std::int32_t k) { return k == 2 ? 0 : k + 1; }
+  static std::int32_t previous(std::int32_t k) { return k == 0 ? 2 : k - 1; }
+  [[nodiscard]] const Face& face(std::int32_t f) const { return std::as_const(hull_).face(f); }
+
+  void note_corners(std::int32_t f) {
+    for (int k = 0; k < 3; ++k) lists_.offsets[at(face(f).node[at(k)])] = 4 * f + k;
+  }
+
+  void mark_boundary(std::int32_t f) {
+    outside_.push_back(f);
+    for (const Site v : face(f).node) {
+      if (v < num_sites_) lists_.is_boundary[at(v)] = true;
+    }
+  }
+
+  // Across each edge of the outside lies the front face with which its first corner's list begins.
+  void begin_after_outside() {
+    for (const std::int32_t f : outside_) {
+      for (const std::int32_t link : face(f).link) {
+        const Face& beyond = face(link >> 2);
+        if (is_front_(beyond)) lists_.offsets[at(beyond.node[at(link & 3)])] = link;
+      }
+    }
+  }
+
+  void write_lists() {
+    std::int32_t offset = 0;
+    for (Site v = 0; v < num_sites_; ++v) {
+      fetch_ahead(v);
+      walk_around(lists_.offsets[at(v)], lists_.is_boundary[at(v)]);
+      lists_.offsets[at(v)] = offset;
+      for (const Spoke spoke : spokes_) write_arc(v, spoke, offset++);
+    }
+    lists_.offsets.back() = offset;
+  }
+
+  // Faces were numbered, two a site, as sites were inserted: in the order of sites to within a block of
+  // the insertion order. Walks around sites jump about in that block, so it is fetched ahead.
+  void fetch_ahead(Site v) const {
+    const std::int32_t f = 2 * (v + insertion_block);
+    if (f + 1 >= hull_.num_faces()) return;
+    __builtin_prefetch(&face(f));
+    __builtin_prefetch(&face(f + 1));
+  }
+
+  /// The spokes of a site in counter-clockwise order, from its first on.
+  void walk_around(std::int32_t start, bool is_boundary) {
+    spokes_.clear();
+    std::size_t smallest = 0;
+    std::int32_t corner = start;
+    do {
+      const Face& f = face(corner >> 2);
+      const Site target = f.node[at(next(corner & 3))];
+      if (!spokes_.empty() && target < spokes_[smallest].target) smallest = spokes_.size();
+      spokes_.push_back({corner, target});
+      if (is_boundary && !is_front_(f)) return;  // the edge after which the outside begins
+      corner = f.link[at(previous(corner & 3))];
+    } while (corner != start);
+    const auto begin = spokes_.begin();
+    std::rotate(begin, begin + static_cast<std::ptrdiff_t>(smallest), spokes_.end());
+  }
+
+  void write_arc(Site v, Spoke spoke, std::int32_t arc) {
+    const std::int32_t position = arc - lists_.offsets[at(v)];
+    const auto noted = static_cast<std::uint8_t>(std::min(position, Adjacency::far_reverse));
+    lists_.neighbors[at(arc)] = spoke.target;
+    hull_.set_position(spoke.corner >> 2, spoke.corner & 3, noted);
+    if (spoke.target > v) return;
+    const std::int32_t beyond = face(spoke.corner >> 2).link[at(spoke.corner & 3)];
+    const std::uint8_t reverse = face(beyond >> 2).position[at(beyond & 3)];
+    lists_.reverse[at(arc)] = reverse;
+    const std::int32_t reverse_arc =
+        reverse < Adjacency::far_reverse ? lists_.offsets[at(spoke.target)] + reverse : find(spoke.target, v);
+    lists_.reverse[at(reverse_arc)] = noted;
+  }
+
+  // A hub's corners do not know their places. Spokes ask in the order of the curve, which is not
+  // the order of the hub's list, so the hub is searched through a table made once.
+  [[nodiscard]] std::int32_t find(Site hub, Site v) {
+    auto& places = hubs_[hub];
+    if (places.empty()) {
+      for (std::int32_t i = lists_.offsets[at(hub)]; i < lists_.offsets[at(hub) + 1]; ++i) {
+        places.emplace(lists_.neighbors[at(i)], i);
+      }
+    }
+    return places.at(v);
+  }
+
+  Hull& hull_;
+  IsFront is_front_;
+  Site num_sites_;
+  std::vector<std::int32_t> outside_;
+  std::vector<Spoke> spokes_;
+  std::unordered_map<Site, std::unordered_map<Site, std::int32_t>> hubs_;
+  Adjacency::Lists lists_;
+};
+
+}  // namespace delone::delaunay

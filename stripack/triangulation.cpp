@@ -1,0 +1,194 @@
+#include "stripack/triangulation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "delaunay/closed_hull.hpp"
+#include "delaunay/curve_order.hpp"
+#include "delaunay/hull_lists.hpp"
+#include "delaunay/site_queries.hpp"
+#include "stripack/great_circle.hpp"
+#include "stripack/predicates.hpp"
+#include "stripack/sphere_geometry.hpp"
+
+namespace delone::stripack {
+
+namespace {
+
+using delaunay::Chart;
+using delaunay::KeyedRow;
+using delaunay::none;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+// The face of the cube around the sphere, and the coordinates on it (gnomonic, -1 .. 1). These are
+// rounded quotients, so triples of one direction get the same ones whatever their length.
+struct CubePoint {
+  std::uint32_t face;
+  Chart chart;
+};
+
+CubePoint on_cube(const Direction& d) {
+  const double ax = std::abs(d.x()), ay = std::abs(d.y()), az = std::abs(d.z());
+  if (az >= ax && az >= ay) return {d.z() > 0 ? 5u : 0u, {d.x() / az, d.y() / az}};
+  if (ax >= ay) return {d.x() > 0 ? 1u : 3u, {d.y() / ax, d.z() / ax}};
+  return {d.y() > 0 ? 2u : 4u, {d.x() / ay, d.z() / ay}};
+}
+
+// Different directions may have the same rounded chart coordinates.
+struct DirectionOrder {
+  std::span<const Direction> points;
+  [[nodiscard]] bool less(Node a, Node b) const { return lexicographically_less(points[at(a)], points[at(b)]); }
+  [[nodiscard]] bool is_same(Node a, Node b) const { return is_same_direction(points[at(a)], points[at(b)]); }
+};
+
+delaunay::SiteOrder order_sites(std::span<const Direction> points) {
+  constexpr int bits = 14;
+  const delaunay::CellScale scale(-1, 1, 1 << bits);
+  delaunay::Buffer<KeyedRow> items(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const CubePoint p = on_cube(points[i]);
+    const std::uint32_t x = scale.cell(p.chart[0]) << (16 - bits), y = scale.cell(p.chart[1]) << (16 - bits);
+    const std::uint32_t key = delaunay::hilbert_key(x, y) >> (32 - 2 * bits);
+    items[i] = KeyedRow{p.face << (2 * bits) | key} << 32 | i;
+  }
+  delaunay::sort_by_key(items);
+  return delaunay::site_order(items, [&](Node row) { return on_cube(points[at(row)]).chart; },
+                              DirectionOrder{points});
+}
+
+// Three sites that are not on one great circle, counter-clockwise; {} if there are none.
+std::vector<Site> first_triangle(std::span<const Direction> points) {
+  std::size_t other = 1;  // the first site that is not opposite to site 0
+  const Direction opposite = points.empty() ? Direction() : Direction::from(-points[0].x(), -points[0].y(), -points[0].z());
+  while (other < points.size() && is_same_direction(points[other], opposite)) ++other;
+  for (std::size_t i = other + 1; i < points.size(); ++i) {
+    const int s = orientation(points[0], points[other], points[i]);
+    const Site b = static_cast<Site>(other), c = static_cast<Site>(i);
+    if (s > 0) return {0, b, c};
+    if (s < 0) return {b, 0, c};
+  }
+  return {};
+}
+
+Adjacency build(std::span<const Direction> points, const std::vector<Site>& first) {
+  const auto n = static_cast<Site>(points.size());
+  auto lists = [&] {
+    const SphereGeometry geometry(points);
+    delaunay::ClosedHull hull(geometry, n);
+    const Site a = first[0], b = first[1], c = first[2];
+    // Two faces back to back: every further site sees exactly one of them.
+    const std::array<std::array<Site, 3>, 2> start{{{a, b, c}, {a, c, b}}};
+    hull.start(start);
+    delaunay::for_each_in_insertion_order(n, [&](Site q) {
+      if (q != a && q != b && q != c) hull.insert(q);
+    });
+    return delaunay::HullLists(hull, n, [&](const delaunay::Face& f) { return geometry.is_front(f); }).build();
+  }();
+  return Adjacency(std::move(lists));
+}
+
+double squared_chord(const Direction& a, const Direction& b) {
+  const double dx = a.x() - b.x(), dy = a.y() - b.y(), dz = a.z() - b.z();
+  return dx * dx + dy * dy + dz * dz;
+}
+
+}  // namespace
+
+Triangulation::Triangulation(std::span<const Direction> points, const RunOptions&) {
+  delaunay::check_num_points(points.size());
+  delaunay::SiteOrder order = order_sites(points);
+  rows_ = std::move(order.rows);
+  sites_ = std::move(order.sites);
+  points_.resize(rows_.size());
+  std::transform(rows_.begin(), rows_.end(), points_.begin(), [&](Node row) { return points[at(row)]; });
+  if (num_sites() < num_rows()) settle_lengths(points);
+  const std::vector<Site> first = first_triangle(points_);
+  if (first.empty()) {
+    make_chain();
+    return;
+  }
+  adjacency_ = build(points_, first);
+  num_triangles_ = adjacency_.num_triangles();
+  dimension_ = 2;
+}
+
+// One direction may come as triples of lengths an ulp apart; which of them is kept, and so how ties are
+// broken, must not depend on the order of rows.
+void Triangulation::settle_lengths(std::span<const Direction> points) {
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    Direction& kept = points_[at(sites_[row])];
+    if (lexicographically_less(points[row], kept)) kept = points[row];
+  }
+}
+
+void Triangulation::make_chain() {
+  const GreatCircleChain chain = order_along_great_circle(points_);
+  delaunay::renumber_sites(rows_, sites_, points_, std::span<const Site>(chain.order));
+  adjacency_ = Adjacency::chain(num_sites(), chain.kind);
+  dimension_ = std::min(num_sites(), 2) - 1;
+}
+
+Arc Triangulation::find(const Direction& p, Arc start) const {
+  if (dimension_ < 2) return {};
+  return delaunay::walk(adjacency_, start,
+                        [&](Site u, Site v) { return orientation(points_[at(u)], points_[at(v)], p); });
+}
+
+Location Triangulation::locate(const Direction& p, Node hint) const {
+  if (dimension_ < 2) return locate_in_chain(p);
+  const Arc start = hint == none ? Arc{} : adjacency_.first_arc(sites_[at(hint)]);
+  const auto side = [&](Site u, Site v) { return orientation(points_[at(u)], points_[at(v)], p); };
+  return delaunay::describe(adjacency_, rows_, delaunay::walk(adjacency_, start, side), side);
+}
+
+Location Triangulation::locate_in_chain(const Direction& p) const {
+  for (Site s = 0; s < num_sites(); ++s) {
+    if (is_same_direction(points_[at(s)], p)) return {Location::Kind::node, {rows_[at(s)], none, none}};
+  }
+  for (Site s = 0; s < num_sites(); ++s) {
+    for (const Site t : adjacency_.neighbors(s)) {
+      if (is_inside_arc(points_[at(s)], points_[at(t)], p)) return {Location::Kind::edge, {rows_[at(s)], rows_[at(t)], none}};
+    }
+  }
+  return {};
+}
+
+Site Triangulation::nearest_site(const Direction& p, Site start) const {
+  if (num_sites() == 0) return none;
+  const auto distance = [&](Site s) { return squared_chord(points_[at(s)], p); };
+  Site best = delaunay::descend(adjacency_, start, distance);
+  // Neighbours through the outside are not in the lists. They separate cells only at 90 degrees
+  // and more from the nearest site (their circumcentres see a face from behind), and join boundary
+  // sites only.
+  while (adjacency_.is_boundary(best) && distance(best) >= 2) {
+    Site better = best;
+    for (Site s = 0; s < num_sites(); ++s) {
+      if (adjacency_.is_boundary(s) && distance(s) < distance(better)) better = s;
+    }
+    if (better == best) break;
+    best = delaunay::descend(adjacency_, better, distance);
+  }
+  return best;
+}
+
+Node Triangulation::nearest(const Direction& p, Node hint) const {
+  const Site s = nearest_site(p, hint == none ? 0 : sites_[at(hint)]);
+  return s == none ? none : rows_[at(s)];
+}
+
+std::vector<std::array<Node, 3>> Triangulation::triangles() const {
+  return delaunay::list_triangles(adjacency_, rows_, sites_);
+}
+
+std::vector<Node> Triangulation::boundary() const { return delaunay::list_boundary(adjacency_, rows_); }
+
+std::vector<Node> Triangulation::neighbors(Node row) const {
+  std::vector<Node> result;
+  for (const Site s : adjacency_.neighbors(sites_[at(row)])) result.push_back(rows_[at(s)]);
+  return result;
+}
+
+}  // namespace delone::stripack
