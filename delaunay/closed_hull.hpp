@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "delaunay/adjacency.hpp"
@@ -75,7 +76,10 @@ class ClosedHull {
  public:
   /// `num_nodes` counts every node the hull will get: a surface of n nodes has 2n - 4 faces.
   ClosedHull(const Geometry& geometry, Site num_nodes)
-      : geometry_(geometry), faces_(2 * static_cast<std::size_t>(num_nodes)), stack_(256), cavity_(256), rim_(256) {}
+      : geometry_(geometry),
+        faces_(2 * static_cast<std::size_t>(num_nodes)),
+        corners_(static_cast<std::size_t>(num_nodes) + 1),
+        stack_(256), cavity_(256), rim_(256) {}
 
   /// The first closed surface; links are found from the corners.
   void start(std::span<const std::array<Site, 3>> faces) {
@@ -92,6 +96,9 @@ class ClosedHull {
     dig_cavity(find_seen(q), q);
     fill_cavity(q);
   }
+
+  /// For every node one of its corners, 4 * face + k. Takes them away: no insertion afterwards.
+  [[nodiscard]] Buffer<std::int32_t> take_corners() noexcept { return std::move(corners_); }
 
   /// Where node[k + 1] stands in the list of node[k], noted while lists are written.
   void set_position(std::int32_t f, int k, std::uint8_t position) noexcept {
@@ -114,6 +121,7 @@ class ClosedHull {
   Face& face(std::int32_t f) noexcept { return faces_[static_cast<std::size_t>(f)]; }
 
   void add_face(const std::array<Site, 3>& corners) {
+    for (int k = 0; k < 3; ++k) corners_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])] = 4 * num_faces_ + k;
     Face& f = face(num_faces_++);
     f.node = corners;
     const bool is_finite = std::all_of(corners.begin(), corners.end(), [&](Site s) { return geometry_.is_finite(s); });
@@ -250,6 +258,8 @@ class ClosedHull {
       f.node = {q, from, to};
       f.link = {4 * before + 2, outside, 4 * cavity_[i + 1]};
       face(outside >> 2).link[outside & 3] = 4 * id + 1;
+      // A rim node may have lost the face its corner was in.
+      corners_[static_cast<std::size_t>(from)] = 4 * id + 1;
       const Side last = side;
       if (geometry_.is_finite(to)) side = side_from(p, to);
       if (geometry_.is_finite(from) && geometry_.is_finite(to)) {
@@ -259,6 +269,7 @@ class ClosedHull {
       }
       before = id;
     }
+    corners_[static_cast<std::size_t>(q)] = 4 * before;
     last_ = first_front();
   }
 
@@ -271,6 +282,7 @@ class ClosedHull {
 
   const Geometry& geometry_;
   Buffer<Face> faces_;
+  Buffer<std::int32_t> corners_;
   std::int32_t num_faces_ = 0;
   std::int32_t last_ = 0;  // a front face near the last inserted site
   std::vector<std::int32_t> stack_, cavity_;

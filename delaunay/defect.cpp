@@ -42,7 +42,8 @@ Fan chain_fan(std::span<const HalfEdge> edges) {
   };
   std::vector<bool> is_third(edges.size(), false);
   for (const HalfEdge& e : edges) {
-    if (const auto i = edge_to(e.third); i >= 0) is_third[static_cast<std::size_t>(i)] = true;
+    if (const auto i = edge_to(e.third); i >= 0)
+      is_third[static_cast<std::size_t>(i)] = true;
   }
   const auto start = std::find(is_third.begin(), is_third.end(), false);
   Fan fan;
@@ -60,13 +61,14 @@ Fan chain_fan(std::span<const HalfEdge> edges) {
 }
 
 Defect find_twin(std::span<const HalfEdge> edges, std::span<const Node> rows) {
-  const auto twin = std::adjacent_find(
-      edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return a.from == b.from && a.to == b.to;
-      });
+  const auto twin = std::adjacent_find(edges.begin(), edges.end(),
+                                       [](const HalfEdge& a, const HalfEdge& b) {
+                                         return a.from == b.from && a.to == b.to;
+                                       });
   if (twin == edges.end()) return std::nullopt;
   const auto row = [&](Site v) { return rows[index(v)]; };
-  return name_of_edge(row(twin->from), row(twin->to)) + " has two triangles on one side: " +
+  return name_of_edge(row(twin->from), row(twin->to)) +
+         " has two triangles on one side: " +
          name_of_triangle({row(twin->from), row(twin->to), row(twin->third)}) + " and " +
          name_of_triangle({row(twin[1].from), row(twin[1].to), row(twin[1].third)});
 }
@@ -75,7 +77,8 @@ Defect find_twin(std::span<const HalfEdge> edges, std::span<const Node> rows) {
 Defect find_arc_defect(const Adjacency& adjacency, Arc a, std::span<const Node> rows) {
   const Site w = adjacency.target(a);
   if (w < 0 || w >= adjacency.num_sites() || w == a.origin) {
-    return "row " + std::to_string(rows[index(a.origin)]) + " has a neighbour that cannot be";
+    return "row " + std::to_string(rows[index(a.origin)]) +
+           " has a neighbour that cannot be";
   }
   const std::string edge = name_of_edge(rows[index(a.origin)], rows[index(w)]);
   const Arc back = adjacency.reverse(a);
@@ -111,8 +114,10 @@ Defect find_ring_defect(const Adjacency& adjacency, std::span<const Node> rows) 
   for (Site v = 0; v < adjacency.num_sites(); ++v) {
     const std::string name = "row " + std::to_string(rows[index(v)]);
     const auto ring = adjacency.neighbors(v);
-    if (ring.size() < (adjacency.is_boundary(v) ? 2u : 3u)) return name + " is in no triangle";
-    if (!adjacency.is_boundary(v) && *std::min_element(ring.begin(), ring.end()) != ring[0]) {
+    if (ring.size() < (adjacency.is_boundary(v) ? 2u : 3u))
+      return name + " is in no triangle";
+    if (!adjacency.is_boundary(v) &&
+        *std::min_element(ring.begin(), ring.end()) != ring[0]) {
       return "the list of " + name + " does not begin with its smallest neighbour";
     }
     Arc a = adjacency.first_arc(v);
@@ -129,7 +134,8 @@ Defect find_euler_defect(const Adjacency& adjacency) {
   for (Site v = 0; v < n; ++v) b += adjacency.is_boundary(v) ? 1 : 0;
   const std::int64_t triangles = b > 0 ? 2 * n - 2 - b : 2 * n - 4;
   const std::int64_t arcs = b > 0 ? 2 * (3 * n - 3 - b) : 2 * (3 * n - 6);
-  if (adjacency.num_triangles() == triangles && adjacency.num_arcs() == arcs) return std::nullopt;
+  if (adjacency.num_triangles() == triangles && adjacency.num_arcs() == arcs)
+    return std::nullopt;
   return std::to_string(adjacency.num_triangles()) + " triangles and " +
          std::to_string(adjacency.num_arcs() / 2) + " edges, but " + std::to_string(n) +
          " points with " + std::to_string(b) + " on the boundary have " +
@@ -154,15 +160,16 @@ Defect find_map_defect(std::span<const Node> rows, std::span<const Site> sites) 
   return "site " + std::to_string(unseen - is_seen.begin()) + " stands for no row";
 }
 
-Defect find_chain_defect(const Adjacency& adjacency, std::span<const Site> order, Chain kind,
-                         std::span<const Node> rows) {
+Defect find_chain_defect(const Adjacency& adjacency, std::span<const Site> order,
+                         Chain kind, std::span<const Node> rows) {
   const std::size_t n = order.size();
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<Site> expected;
     if (i > 0 || kind == Chain::closed) expected.push_back(order[(i + n - 1) % n]);
     if (i + 1 < n || kind == Chain::closed) expected.push_back(order[(i + 1) % n]);
     const auto ring = adjacency.neighbors(order[i]);
-    if (!std::is_permutation(ring.begin(), ring.end(), expected.begin(), expected.end())) {
+    if (!std::is_permutation(ring.begin(), ring.end(), expected.begin(),
+                             expected.end())) {
       return "row " + std::to_string(rows[index(order[i])]) +
              " is not joined to its neighbours along the chain";
     }
@@ -170,7 +177,8 @@ Defect find_chain_defect(const Adjacency& adjacency, std::span<const Site> order
   return std::nullopt;
 }
 
-SiteTriangles site_triangles(std::span<const Triple> triangles, const Positions& positions) {
+SiteTriangles site_triangles(std::span<const Triple> triangles,
+                             const Positions& positions) {
   SiteTriangles result;
   result.triangles.reserve(triangles.size());
   for (const Triple& t : triangles) {
@@ -200,19 +208,23 @@ GluedTriangles glue(std::span<const Triple> triangles, std::span<const Node> row
   std::vector<bool> is_boundary;
   auto begin = edges.begin();
   for (Site v = 0; index(v) < rows.size(); ++v) {
-    const auto end = std::find_if(begin, edges.end(), [&](const HalfEdge& e) { return e.from > v; });
-    if (begin == end) return {{}, "row " + std::to_string(rows[index(v)]) + " is in no triangle"};
+    const auto end =
+        std::find_if(begin, edges.end(), [&](const HalfEdge& e) { return e.from > v; });
+    if (begin == end)
+      return {{}, "row " + std::to_string(rows[index(v)]) + " is in no triangle"};
     const Fan fan = chain_fan({begin, end});
     if (!fan.is_whole) {
-      return {{}, "the triangles around row " + std::to_string(rows[index(v)]) +
-                      " are not connected through edges"};
+      return {{},
+              "the triangles around row " + std::to_string(rows[index(v)]) +
+                  " are not connected through edges"};
     }
     neighbors.insert(neighbors.end(), fan.ring.begin(), fan.ring.end());
     offsets.push_back(static_cast<std::int32_t>(neighbors.size()));
     is_boundary.push_back(fan.is_boundary);
     begin = end;
   }
-  return {Adjacency(std::move(offsets), std::move(neighbors), std::move(is_boundary)), {}};
+  return {Adjacency(std::move(offsets), std::move(neighbors), std::move(is_boundary)),
+          {}};
 }
 
 }  // namespace delone::delaunay

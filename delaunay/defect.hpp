@@ -15,25 +15,29 @@
 
 /// Checking triangulations: what tripack::find_defect and stripack::find_defect share.
 ///
-/// The check is local and yet complete. Call the fan of a site the triangles around it. If
+/// The check is local and yet complete. Call the fan of a site the triangles around it.
+/// If
 ///   1. every triangle is counter-clockwise,
-///   2. the fan of every interior site goes round exactly once, and that of every boundary site
+///   2. the fan of every interior site goes round exactly once, and that of every
+///   boundary site
 ///      covers an angle of at most pi,
 ///   3. Euler's formula holds: 2n - 2 - b triangles (2n - 4 without a boundary),
-/// then the triangles are glued to an immersed surface of constant curvature (0 or 1) with locally
-/// convex boundary. By Gauss-Bonnet each component of it is a disk or a sphere, so that 3. leaves
-/// one. Any two of its points are joined by a geodesic shorter than a full circle, which the
-/// immersion maps to a straight line or great-circle arc: no two points fall together. The
-/// triangles therefore tile a convex region, whatever the list was, and
-///   4. no edge has the opposite corner of its one triangle inside the circle of the other
+/// then the triangles are glued to an immersed surface of constant curvature (0 or 1)
+/// with locally convex boundary. By Gauss-Bonnet each component of it is a disk or a
+/// sphere, so that 3. leaves one. Any two of its points are joined by a geodesic shorter
+/// than a full circle, which the immersion maps to a straight line or great-circle arc:
+/// no two points fall together. The triangles therefore tile a convex region, whatever
+/// the list was, and
+///   4. no edge has the opposite corner of its one triangle inside the circle of the
+///   other
 /// makes the tiling Delaunay: the lifted surface is locally convex over a convex region.
 namespace delone::delaunay {
 
 /// What the checks need to know about positions. For sites v, w, x, y:
 ///   orientation(v, w, x)    +1 counter-clockwise, -1 clockwise, 0 on one line; exact
 ///   is_ahead(v, w, x)       v, w, x on one line: are w and x on the same side of v?
-///   is_violated(v, w, x, y) y must not be inside the circle of the triangle v, w, x: is it?
-///   row(v)                  the caller's number for v, for the sentence
+///   is_violated(v, w, x, y) y must not be inside the circle of the triangle v, w, x: is
+///   it? row(v)                  the caller's number for v, for the sentence
 template <class G>
 concept CheckedGeometry = requires(const G& g, Site v) {
   { g.orientation(v, v, v) } -> std::same_as<int>;
@@ -54,21 +58,27 @@ using Triple = std::array<std::int32_t, 3>;
 [[nodiscard]] std::string name_of_triangle(const Triple& rows);
 [[nodiscard]] std::string name_of_edge(Node a, Node b);
 
-/// Are the lists rings: every arc with its reverse, every triangle the same seen from its three
-/// corners, boundary lists from boundary neighbour to boundary neighbour, interior ones from the
-/// smallest neighbour on, every site in a triangle? `rows` names the sites. O(n).
-[[nodiscard]] Defect find_ring_defect(const Adjacency& adjacency, std::span<const Node> rows);
+/// Are the lists rings: every arc with its reverse, every triangle the same seen from its
+/// three corners, boundary lists from boundary neighbour to boundary neighbour, interior
+/// ones from the smallest neighbour on, every site in a triangle? `rows` names the sites.
+/// O(n).
+[[nodiscard]] Defect find_ring_defect(const Adjacency& adjacency,
+                                      std::span<const Node> rows);
 
 /// Do the numbers of triangles and edges agree with Euler's formula? O(n).
 [[nodiscard]] Defect find_euler_defect(const Adjacency& adjacency);
 
-/// Are `rows` (first row of every site) and `sites` (site of every row) maps of one another?
-[[nodiscard]] Defect find_map_defect(std::span<const Node> rows, std::span<const Site> sites);
+/// Are `rows` (first row of every site) and `sites` (site of every row) maps of one
+/// another?
+[[nodiscard]] Defect find_map_defect(std::span<const Node> rows,
+                                     std::span<const Site> sites);
 
-/// Do sites in this order, and no others, form a chain of neighbours (a ring if `is_closed`)?
+/// Do sites in this order, and no others, form a chain of neighbours (a ring if
+/// `is_closed`)?
 enum class Chain : std::uint8_t { open, closed };
-[[nodiscard]] Defect find_chain_defect(const Adjacency& adjacency, std::span<const Site> order,
-                                       Chain kind, std::span<const Node> rows);
+[[nodiscard]] Defect find_chain_defect(const Adjacency& adjacency,
+                                       std::span<const Site> order, Chain kind,
+                                       std::span<const Node> rows);
 
 /// The different positions of an array: rows of equal position share a site.
 struct Positions {
@@ -79,19 +89,23 @@ template <class P, std::strict_weak_order<P, P> Less>
 [[nodiscard]] Positions merge_positions(std::span<const P> points, Less less) {
   std::vector<Node> order(points.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto at = [&](Node row) -> const P& { return points[static_cast<std::size_t>(row)]; };
+  const auto at = [&](Node row) -> const P& {
+    return points[static_cast<std::size_t>(row)];
+  };
   std::stable_sort(order.begin(), order.end(),
                    [&](Node a, Node b) { return less(at(a), at(b)); });
   Positions result{std::vector<Site>(points.size()), {}};
   for (const Node row : order) {
-    if (result.rows.empty() || less(at(result.rows.back()), at(row))) result.rows.push_back(row);
-    result.sites[static_cast<std::size_t>(row)] = static_cast<Site>(result.rows.size() - 1);
+    if (result.rows.empty() || less(at(result.rows.back()), at(row)))
+      result.rows.push_back(row);
+    result.sites[static_cast<std::size_t>(row)] =
+        static_cast<Site>(result.rows.size() - 1);
   }
   return result;
 }
 
-/// A list of triangles in sites instead of rows, or why there is none: a row that does not exist,
-/// a position twice in one triangle.
+/// A list of triangles in sites instead of rows, or why there is none: a row that does
+/// not exist, a position twice in one triangle.
 struct SiteTriangles {
   std::vector<Triple> triangles;
   Defect defect;
@@ -99,13 +113,15 @@ struct SiteTriangles {
 [[nodiscard]] SiteTriangles site_triangles(std::span<const Triple> triangles,
                                            const Positions& positions);
 
-/// Counter-clockwise triangles glued to adjacency lists, or why they cannot be: an edge with two
-/// triangles on one side, a site whose triangles form several fans or none. O(n log n).
+/// Counter-clockwise triangles glued to adjacency lists, or why they cannot be: an edge
+/// with two triangles on one side, a site whose triangles form several fans or none. O(n
+/// log n).
 struct GluedTriangles {
   Adjacency adjacency;
   Defect defect;
 };
-[[nodiscard]] GluedTriangles glue(std::span<const Triple> triangles, std::span<const Node> rows);
+[[nodiscard]] GluedTriangles glue(std::span<const Triple> triangles,
+                                  std::span<const Node> rows);
 
 namespace internal {
 
@@ -121,8 +137,8 @@ bool is_in_upper_half(const G& g, Site v, Site w, Site x) {
   return side > 0 || (side == 0 && g.is_ahead(v, w, x));
 }
 
-// How often the neighbours of an interior site go round it. Each step is less than pi, so that
-// none can jump over a half: turns are the entries into the upper one.
+// How often the neighbours of an interior site go round it. Each step is less than pi, so
+// that none can jump over a half: turns are the entries into the upper one.
 template <CheckedGeometry G>
 int num_turns(const Adjacency& adjacency, const G& g, Site v) {
   const auto ring = adjacency.neighbors(v);
@@ -208,8 +224,8 @@ template <CheckedGeometry G>
 
 /// A list of triangles in sites, all in one orientation, either one. O(n log n).
 template <CheckedGeometry G>
-[[nodiscard]] Defect find_list_defect(std::vector<Triple> triangles, std::span<const Node> rows,
-                                      const G& g) {
+[[nodiscard]] Defect find_list_defect(std::vector<Triple> triangles,
+                                      std::span<const Node> rows, const G& g) {
   const Triple& first = triangles.front();
   if (g.orientation(first[0], first[1], first[2]) < 0) {
     for (Triple& t : triangles) std::swap(t[1], t[2]);

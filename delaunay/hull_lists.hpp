@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -21,32 +22,31 @@ template <class Hull, class IsFront>
 class HullLists {
  public:
   HullLists(Hull& hull, Site num_sites, IsFront is_front)
-      : hull_(hull), is_front_(is_front), num_sites_(num_sites) {}
+      : hull_(hull), is_front_(is_front), num_sites_(num_sites), spokes_(64) {}
 
   [[nodiscard]] Adjacency::Lists build() {
-    // Until a site's list is written, its offset holds one of its corners, 4 * face + k.
+    // Until a site's list is written, its offset holds one of its corners.
+    lists_.offsets = hull_.take_corners();
     lists_.offsets.resize(at(num_sites_) + 1);
     lists_.is_boundary.assign(at(num_sites_), false);
-    std::int64_t num_corners = 0;
-    for (std::int32_t f = 0; f < hull_.num_faces(); ++f) {
-      if (is_front_(face(f))) {
-        note_corners(f);
-        num_corners += 3;
-      } else {
-        mark_boundary(f);
-      }
-    }
-    begin_after_outside();
-    const auto num_boundary = std::count(lists_.is_boundary.begin(), lists_.is_boundary.end(), true);
-    lists_.neighbors.resize(static_cast<std::size_t>(num_corners + num_boundary));
+    lists_.neighbors.resize(3 * static_cast<std::size_t>(hull_.num_faces()));  // twice the edges
     lists_.reverse.resize(lists_.neighbors.size());
-    write_lists();
+    std::int32_t offset = 0;
+    for (Site v = 0; v < num_sites_; ++v) {
+      fetch_ahead(v);
+      const std::span<const Spoke> spokes = walk_around(v);
+      lists_.offsets[at(v)] = offset;
+      for (const Spoke spoke : spokes) write_arc(v, spoke, offset++);
+    }
+    lists_.offsets.back() = offset;
+    lists_.neighbors.resize(at(offset));
+    lists_.reverse.resize(at(offset));
     return std::move(lists_);
   }
 
  private:
   struct Spoke {
-    std::int32_t corner;
+    std::int32_t corner;  // 4 * face + k, the face on the left of the arc
     Site target;
   };
 
@@ -54,38 +54,6 @@ class HullLists {
   static std::int32_t next(std::int32_t k) { return k == 2 ? 0 : k + 1; }
   static std::int32_t previous(std::int32_t k) { return k == 0 ? 2 : k - 1; }
   [[nodiscard]] const Face& face(std::int32_t f) const { return std::as_const(hull_).face(f); }
-
-  void note_corners(std::int32_t f) {
-    for (int k = 0; k < 3; ++k) lists_.offsets[at(face(f).node[at(k)])] = 4 * f + k;
-  }
-
-  void mark_boundary(std::int32_t f) {
-    outside_.push_back(f);
-    for (const Site v : face(f).node) {
-      if (v < num_sites_) lists_.is_boundary[at(v)] = true;
-    }
-  }
-
-  // Across each edge of the outside lies the front face with which its first corner's list begins.
-  void begin_after_outside() {
-    for (const std::int32_t f : outside_) {
-      for (const std::int32_t link : face(f).link) {
-        const Face& beyond = face(link >> 2);
-        if (is_front_(beyond)) lists_.offsets[at(beyond.node[at(link & 3)])] = link;
-      }
-    }
-  }
-
-  void write_lists() {
-    std::int32_t offset = 0;
-    for (Site v = 0; v < num_sites_; ++v) {
-      fetch_ahead(v);
-      walk_around(lists_.offsets[at(v)], lists_.is_boundary[at(v)]);
-      lists_.offsets[at(v)] = offset;
-      for (const Spoke spoke : spokes_) write_arc(v, spoke, offset++);
-    }
-    lists_.offsets.back() = offset;
-  }
 
   // Faces were numbered, two a site, as sites were inserted: in the order of sites to within a block of
   // the insertion order. Walks around sites jump about in that block, so it is fetched ahead.
@@ -96,21 +64,37 @@ class HullLists {
     __builtin_prefetch(&face(f + 1));
   }
 
-  /// The spokes of a site in counter-clockwise order, from its first on.
-  void walk_around(std::int32_t start, bool is_boundary) {
-    spokes_.clear();
-    std::size_t smallest = 0;
+  /// The spokes of a site in counter-clockwise order: from the smallest target, or from the first
+  /// after the outside to the one after which the outside begins.
+  [[nodiscard]] std::span<const Spoke> walk_around(Site v) {
+    const std::int32_t start = lists_.offsets[at(v)];
+    std::size_t size = 0, smallest = 0, num_outside = 0;
     std::int32_t corner = start;
     do {
       const Face& f = face(corner >> 2);
       const Site target = f.node[at(next(corner & 3))];
-      if (!spokes_.empty() && target < spokes_[smallest].target) smallest = spokes_.size();
-      spokes_.push_back({corner, target});
-      if (is_boundary && !is_front_(f)) return;  // the edge after which the outside begins
+      if (size == spokes_.size()) spokes_.resize(2 * size);
+      spokes_[size] = {corner, target};
+      if (target < spokes_[smallest].target) smallest = size;
+      if (!is_front_(f)) ++num_outside;
+      ++size;
       corner = f.link[at(previous(corner & 3))];
     } while (corner != start);
-    const auto begin = spokes_.begin();
-    std::rotate(begin, begin + static_cast<std::ptrdiff_t>(smallest), spokes_.end());
+    const std::span<Spoke> ring(spokes_.data(), size);
+    if (num_outside > 0) {
+      lists_.is_boundary[at(v)] = true;
+      smallest = first_after_outside(ring);
+      size -= num_outside - 1;
+    }
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(smallest), ring.end());
+    return ring.first(size);
+  }
+
+  [[nodiscard]] std::size_t first_after_outside(std::span<const Spoke> ring) const {
+    const auto is_outside = [&](std::size_t i) { return !is_front_(face(ring[i].corner >> 2)); };
+    std::size_t i = 0;
+    while (is_outside(i) || !is_outside(i == 0 ? ring.size() - 1 : i - 1)) ++i;
+    return i;
   }
 
   void write_arc(Site v, Spoke spoke, std::int32_t arc) {
@@ -142,7 +126,6 @@ class HullLists {
   Hull& hull_;
   IsFront is_front_;
   Site num_sites_;
-  std::vector<std::int32_t> outside_;
   std::vector<Spoke> spokes_;
   std::unordered_map<Site, std::unordered_map<Site, std::int32_t>> hubs_;
   Adjacency::Lists lists_;

@@ -21,12 +21,13 @@ using delaunay::Ties;
 
 // Signs of the components of a x b, each as an orientation with an axis, which is exact.
 std::array<int, 3> cross_signs(const Direction& a, const Direction& b) {
-  return {orientation(a, b, Direction::from(1, 0, 0)), orientation(a, b, Direction::from(0, 1, 0)),
+  return {orientation(a, b, Direction::from(1, 0, 0)),
+          orientation(a, b, Direction::from(0, 1, 0)),
           orientation(a, b, Direction::from(0, 0, 1))};
 }
 
-// The face of the cube that a ray goes through, and where: rounded quotients are the same for all
-// triples of one direction, whatever their length.
+// The face of the cube that a ray goes through, and where: rounded quotients are the same
+// for all triples of one direction, whatever their length.
 struct CubePoint {
   std::size_t axis;
   bool is_negative;
@@ -37,13 +38,14 @@ struct CubePoint {
 CubePoint on_cube(const Direction& d) {
   const std::array<double, 3> c{d.x(), d.y(), d.z()};
   std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k) axis = std::abs(c[k]) > std::abs(c[axis]) ? k : axis;
+  for (std::size_t k = 1; k < 3; ++k)
+    axis = std::abs(c[k]) > std::abs(c[axis]) ? k : axis;
   const double height = std::abs(c[axis]);
   return {axis, c[axis] < 0, c[(axis + 1) % 3] / height, c[(axis + 2) % 3] / height};
 }
 
-// An order of directions, exact: triples that differ in length only are equivalent. Where the
-// quotients agree the exact ones decide, whose order is a sign of the cross product.
+// An order of directions, exact: triples that differ in length only are equivalent. Where
+// the quotients agree the exact ones decide, whose order is a sign of the cross product.
 bool is_before(const Direction& a, const Direction& b) {
   const CubePoint p = on_cube(a), q = on_cube(b);
   if (p != q) return p < q;
@@ -58,7 +60,9 @@ class Sphere {
   Sphere(std::span<const Direction> points, std::span<const Node> rows, Ties ties)
       : points_(points), rows_(rows), ties_(ties) {}
 
-  [[nodiscard]] const Direction& at(Site v) const { return points_[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] const Direction& at(Site v) const {
+    return points_[static_cast<std::size_t>(v)];
+  }
   [[nodiscard]] Node row(Site v) const { return rows_[static_cast<std::size_t>(v)]; }
   [[nodiscard]] int orientation(Site v, Site w, Site x) const {
     return stripack::orientation(at(v), at(w), at(x));
@@ -80,8 +84,8 @@ class Sphere {
 
 constexpr std::array<int, 3> no_signs{0, 0, 0};
 
-// A site that spans a great circle with site 0: the first that is not opposite to it. With two
-// opposite sites only there is none, and every third one would do.
+// A site that spans a great circle with site 0: the first that is not opposite to it.
+// With two opposite sites only there is none, and every third one would do.
 Site second_site(const Sphere& sphere, Site n) {
   for (Site v = 1; v < n; ++v) {
     if (cross_signs(sphere.at(0), sphere.at(v)) != no_signs) return v;
@@ -98,13 +102,16 @@ Site find_site_off_circle(const Sphere& sphere, Site n) {
 }
 
 Defect find_dimension_defect(const Sphere& sphere, Site n, int dimension) {
-  const int expected = n < 2 ? n - 1 : find_site_off_circle(sphere, n) == delaunay::none ? 1 : 2;
+  const int expected = n < 2                                               ? n - 1
+                       : find_site_off_circle(sphere, n) == delaunay::none ? 1
+                                                                           : 2;
   if (dimension == expected) return std::nullopt;
-  return "dimension " + std::to_string(dimension) + " instead of " + std::to_string(expected);
+  return "dimension " + std::to_string(dimension) + " instead of " +
+         std::to_string(expected);
 }
 
-// Orders the sites of one great circle by angle from site 0, counter-clockwise about the normal
-// of site 0 and the second site.
+// Orders the sites of one great circle by angle from site 0, counter-clockwise about the
+// normal of site 0 and the second site.
 class CircleOrder {
  public:
   CircleOrder(const Sphere& sphere, Site second)
@@ -131,9 +138,10 @@ class CircleOrder {
   std::array<int, 3> normal_;
 };
 
-// The chain around the circle is open at the one gap of pi or more, if there is one. Two gaps of
-// exactly pi (two opposite sites, nothing else) are a chain of two.
-Defect find_circle_chain_defect(const Triangulation& t, const Sphere& sphere, Site second) {
+// The chain around the circle is open at the one gap of pi or more, if there is one. Two
+// gaps of exactly pi (two opposite sites, nothing else) are a chain of two.
+Defect find_circle_chain_defect(const Triangulation& t, const Sphere& sphere,
+                                Site second) {
   std::vector<Site> order(static_cast<std::size_t>(t.num_sites()));
   std::iota(order.begin(), order.end(), 0);
   const CircleOrder angles(sphere, second);
@@ -142,7 +150,8 @@ Defect find_circle_chain_defect(const Triangulation& t, const Sphere& sphere, Si
   const auto gap = std::adjacent_find(order.begin(), order.end(), is_gap);
   if (gap != order.end()) std::rotate(order.begin(), gap + 1, order.end());
   const bool is_open = gap != order.end() || is_gap(order.back(), order.front());
-  return delaunay::find_chain_defect(t.adjacency(), order, is_open ? Chain::open : Chain::closed, t.rows());
+  return delaunay::find_chain_defect(t.adjacency(), order,
+                                     is_open ? Chain::open : Chain::closed, t.rows());
 }
 
 Defect find_circle_defect(const Triangulation& t, const Sphere& sphere) {
@@ -155,7 +164,8 @@ Defect find_circle_defect(const Triangulation& t, const Sphere& sphere) {
   return delaunay::find_chain_defect(t.adjacency(), order, Chain::open, t.rows());
 }
 
-std::vector<Direction> gather(std::span<const Direction> points, std::span<const Node> rows) {
+std::vector<Direction> gather(std::span<const Direction> points,
+                              std::span<const Node> rows) {
   std::vector<Direction> result;
   result.reserve(rows.size());
   for (const Node row : rows) result.push_back(points[static_cast<std::size_t>(row)]);
@@ -173,12 +183,14 @@ Defect find_missing_triangles(const Sphere& sphere, Site n) {
 }  // namespace
 
 Defect find_defect(const Triangulation& t) {
-  if (t.adjacency().num_sites() != t.num_sites() || std::ssize(t.points()) != t.num_sites()) {
+  if (t.adjacency().num_sites() != t.num_sites() ||
+      std::ssize(t.points()) != t.num_sites()) {
     return "sites, points and adjacency lists differ in number";
   }
   if (auto defect = delaunay::find_map_defect(t.rows(), t.sites())) return defect;
   const Sphere sphere(t.points(), t.rows(), Ties::canonical);
-  if (auto defect = find_dimension_defect(sphere, t.num_sites(), t.dimension())) return defect;
+  if (auto defect = find_dimension_defect(sphere, t.num_sites(), t.dimension()))
+    return defect;
   if (t.dimension() < 2) return find_circle_defect(t, sphere);
   if (auto defect = delaunay::find_ring_defect(t.adjacency(), t.rows())) return defect;
   if (t.num_triangles() != t.adjacency().num_triangles()) {
@@ -192,7 +204,8 @@ Defect find_defect(std::span<const Direction> points,
   const auto positions = delaunay::merge_positions(points, is_before);
   const auto sites = gather(points, positions.rows);
   const Sphere sphere(sites, positions.rows, Ties::any);
-  if (triangles.empty()) return find_missing_triangles(sphere, static_cast<Site>(sites.size()));
+  if (triangles.empty())
+    return find_missing_triangles(sphere, static_cast<Site>(sites.size()));
   auto list = delaunay::site_triangles(triangles, positions);
   if (list.defect) return list.defect;
   return delaunay::find_list_defect(std::move(list.triangles), positions.rows, sphere);

@@ -54,16 +54,20 @@ Site find_site_off_line(const Plane& plane, Site n) {
 }
 
 Defect find_dimension_defect(const Plane& plane, Site n, int dimension) {
-  const int expected = n < 2 ? n - 1 : find_site_off_line(plane, n) == delaunay::none ? 1 : 2;
+  const int expected = n < 2                                            ? n - 1
+                       : find_site_off_line(plane, n) == delaunay::none ? 1
+                                                                        : 2;
   if (dimension == expected) return std::nullopt;
-  return "dimension " + std::to_string(dimension) + " instead of " + std::to_string(expected);
+  return "dimension " + std::to_string(dimension) + " instead of " +
+         std::to_string(expected);
 }
 
 Defect find_line_defect(const Triangulation& t) {
   std::vector<Site> order(static_cast<std::size_t>(t.num_sites()));
   std::iota(order.begin(), order.end(), 0);
   const auto at = [&](Site v) { return t.points()[static_cast<std::size_t>(v)]; };
-  std::sort(order.begin(), order.end(), [&](Site a, Site b) { return is_before(at(a), at(b)); });
+  std::sort(order.begin(), order.end(),
+            [&](Site a, Site b) { return is_before(at(a), at(b)); });
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (at(order[i - 1]) == at(order[i])) return "two sites share one position";
   }
@@ -89,12 +93,14 @@ Defect find_missing_triangles(const Plane& plane, Site n) {
 }  // namespace
 
 Defect find_defect(const Triangulation& t) {
-  if (t.adjacency().num_sites() != t.num_sites() || std::ssize(t.points()) != t.num_sites()) {
+  if (t.adjacency().num_sites() != t.num_sites() ||
+      std::ssize(t.points()) != t.num_sites()) {
     return "sites, points and adjacency lists differ in number";
   }
   if (auto defect = delaunay::find_map_defect(t.rows(), t.sites())) return defect;
   const Plane plane(t.points(), t.rows(), Ties::canonical);
-  if (auto defect = find_dimension_defect(plane, t.num_sites(), t.dimension())) return defect;
+  if (auto defect = find_dimension_defect(plane, t.num_sites(), t.dimension()))
+    return defect;
   if (t.dimension() < 2) return find_line_defect(t);
   if (auto defect = delaunay::find_ring_defect(t.adjacency(), t.rows())) return defect;
   if (t.num_triangles() != t.adjacency().num_triangles()) {
@@ -114,7 +120,8 @@ Defect find_defect(std::span<const Point2> points,
   const auto positions = delaunay::merge_positions(points, is_before);
   const auto sites = gather(points, positions.rows);
   const Plane plane(sites, positions.rows, Ties::any);
-  if (triangles.empty()) return find_missing_triangles(plane, static_cast<Site>(sites.size()));
+  if (triangles.empty())
+    return find_missing_triangles(plane, static_cast<Site>(sites.size()));
   auto list = delaunay::site_triangles(triangles, positions);
   if (list.defect) return list.defect;
   return delaunay::find_list_defect(std::move(list.triangles), positions.rows, plane);
