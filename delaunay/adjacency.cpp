@@ -11,8 +11,8 @@ namespace delone::delaunay {
 
 namespace {
 
-// Where does v stand in w's list? Long lists are searched through a sorted copy, so that a hub
-// with n neighbours costs n log n and not n^2.
+// Where does v stand in w's list? Long lists are searched through a sorted copy, so that
+// a hub with n neighbours costs n log n and not n^2.
 class PositionFinder {
  public:
   explicit PositionFinder(const Adjacency& adjacency) : adjacency_(adjacency) {
@@ -53,8 +53,8 @@ class PositionFinder {
 
 }  // namespace
 
-Adjacency::Adjacency(const std::vector<std::int32_t>& offsets, const std::vector<Site>& neighbors,
-                     std::vector<bool> is_boundary)
+Adjacency::Adjacency(const std::vector<std::int32_t>& offsets,
+                     const std::vector<Site>& neighbors, std::vector<bool> is_boundary)
     : offsets_(offsets.begin(), offsets.end()),
       neighbors_(neighbors.begin(), neighbors.end()),
       is_boundary_(std::move(is_boundary)),
@@ -64,8 +64,9 @@ Adjacency::Adjacency(const std::vector<std::int32_t>& offsets, const std::vector
     for (std::int32_t i = offsets_[index(v)]; i < offsets_[index(v) + 1]; ++i) {
       const std::int32_t position = finder.position(neighbors_[index(i)], v);
       if (position == none) {
-        throw Error("the lists are not symmetric: " + std::to_string(neighbors_[index(i)]) + " is in the list of " +
-                    std::to_string(v) + " but not the other way round");
+        throw Error(
+            "the lists are not symmetric: " + std::to_string(neighbors_[index(i)]) +
+            " is in the list of " + std::to_string(v) + " but not the other way round");
       }
       reverse_[index(i)] = static_cast<std::uint8_t>(std::min(position, far_reverse));
     }
@@ -110,7 +111,8 @@ Adjacency Adjacency::chain(Site num_sites, Chain kind) {
 }
 
 Arc Adjacency::find_far_reverse(Arc a) const noexcept {
-  const auto found = std::lower_bound(far_.begin(), far_.end(), std::pair(a.index, std::int32_t{0}));
+  const auto found =
+      std::lower_bound(far_.begin(), far_.end(), std::pair(a.index, std::int32_t{0}));
   return {target(a), found->second};
 }
 
@@ -147,7 +149,8 @@ namespace {
 
 // The list of one node, first to last, checked step by step.
 std::vector<Site> renka_list(const RenkaLists& lists, std::int32_t last) {
-  const auto size = static_cast<std::int32_t>(std::min(lists.list.size(), lists.lptr.size()));
+  const auto size =
+      static_cast<std::int32_t>(std::min(lists.list.size(), lists.lptr.size()));
   std::vector<Site> neighbors;
   std::int32_t pointer = last;
   do {
@@ -157,7 +160,8 @@ std::vector<Site> renka_list(const RenkaLists& lists, std::int32_t last) {
     pointer = lists.lptr[static_cast<std::size_t>(pointer - 1)];
     if (pointer < 1 || pointer > size) throw Error("LPTR points outside LIST");
     const std::int32_t node = std::abs(lists.list[static_cast<std::size_t>(pointer - 1)]);
-    if (node < 1 || node > std::ssize(lists.lend)) throw Error("LIST names a node that is not there");
+    if (node < 1 || node > std::ssize(lists.lend))
+      throw Error("LIST names a node that is not there");
     neighbors.push_back(node - 1);
   } while (pointer != last);
   return neighbors;
@@ -173,7 +177,8 @@ Adjacency from_renka(const RenkaLists& lists) {
     std::vector<Site> list = renka_list(lists, last);
     is_boundary.push_back(lists.list[static_cast<std::size_t>(last - 1)] < 0);
     // An interior list is a ring; ours begins with the smallest neighbour.
-    if (!is_boundary.back()) std::rotate(list.begin(), std::min_element(list.begin(), list.end()), list.end());
+    if (!is_boundary.back())
+      std::rotate(list.begin(), std::min_element(list.begin(), list.end()), list.end());
     neighbors.insert(neighbors.end(), list.begin(), list.end());
     offsets.push_back(static_cast<std::int32_t>(neighbors.size()));
   }

@@ -13,8 +13,9 @@ namespace delone::delaunay {
 /// Row of the caller's arrays, counted from 0.
 using Node = std::int32_t;
 
-/// A different position, numbered along a space-filling curve: 0 .. num_sites - 1. Neighbours in
-/// space are neighbours in memory, and the numbering depends on the set of positions only.
+/// A different position, numbered along a space-filling curve: 0 .. num_sites - 1.
+/// Neighbours in space are neighbours in memory, and the numbering depends on the set of
+/// positions only.
 using Site = std::int32_t;
 
 inline constexpr std::int32_t none = -1;
@@ -26,11 +27,13 @@ struct Arc {
   friend bool operator==(const Arc&, const Arc&) = default;
 };
 
-/// A triangulation as adjacency lists: for every site its neighbours in counter-clockwise order.
+/// A triangulation as adjacency lists: for every site its neighbours in counter-clockwise
+/// order.
 ///
-/// A boundary site's list runs from one boundary neighbour to the other, so that the region lies
-/// between consecutive neighbours and the outside after the last one. An interior site's list is
-/// cyclic and begins with its smallest neighbour. Knows no coordinates.
+/// A boundary site's list runs from one boundary neighbour to the other, so that the
+/// region lies between consecutive neighbours and the outside after the last one. An
+/// interior site's list is cyclic and begins with its smallest neighbour. Knows no
+/// coordinates.
 ///
 /// The triangle on the left of the arc v -> w is (v, w, x), x the neighbour of v after w.
 /// Memory: 5 bytes a directed arc (4 neighbour, 1 place of the reverse arc) and 4 a site.
@@ -41,8 +44,8 @@ class Adjacency {
 
   Adjacency() = default;
 
-  /// From lists: `offsets` (num_sites + 1) into `neighbors`; `is_boundary` one flag a site.
-  /// Throws Error if the lists are not symmetric.
+  /// From lists: `offsets` (num_sites + 1) into `neighbors`; `is_boundary` one flag a
+  /// site. Throws Error if the lists are not symmetric.
   Adjacency(const std::vector<std::int32_t>& offsets, const std::vector<Site>& neighbors,
             std::vector<bool> is_boundary);
 
@@ -51,12 +54,14 @@ class Adjacency {
     Buffer<std::int32_t> offsets;
     Buffer<Site> neighbors;
     std::vector<bool> is_boundary;
-    Buffer<std::uint8_t> reverse;  ///< position of the origin in the target's list, at most 255
+    Buffer<std::uint8_t>
+        reverse;  ///< position of the origin in the target's list, at most 255
   };
   explicit Adjacency(Lists lists);
 
-  /// Sites 0, 1, 2, ... joined in a row (`closed`: the last to the first as well), no triangles:
-  /// the form of collinear points and of points on one great circle. All are boundary.
+  /// Sites 0, 1, 2, ... joined in a row (`closed`: the last to the first as well), no
+  /// triangles: the form of collinear points and of points on one great circle. All are
+  /// boundary.
   enum class Chain : std::uint8_t { open, closed };
   [[nodiscard]] static Adjacency chain(Site num_sites, Chain kind);
 
@@ -92,11 +97,12 @@ class Adjacency {
   [[nodiscard]] Arc reverse(Arc a) const noexcept {
     const Site w = target(a);
     const std::int32_t position = reverse_[index(a.index)];
-    return position != far_reverse ? Arc{w, offsets_[index(w)] + position} : find_far_reverse(a);
+    return position != far_reverse ? Arc{w, offsets_[index(w)] + position}
+                                   : find_far_reverse(a);
   }
   [[nodiscard]] bool is_chain() const noexcept { return is_chain_; }
-  /// Is there a triangle on the left of `a`? False for the last arc of a boundary site, and in
-  /// chains.
+  /// Is there a triangle on the left of `a`? False for the last arc of a boundary site,
+  /// and in chains.
   [[nodiscard]] bool has_left(Arc a) const noexcept {
     return !is_boundary(a.origin) ||
            (a.index + 1 != offsets_[index(a.origin) + 1] && !is_chain_);
@@ -108,8 +114,8 @@ class Adjacency {
   /// Number of triangles, counted from the lists.
   [[nodiscard]] std::int64_t num_triangles() const noexcept;
 
-  /// Calls `f(arc)` once a triangle, with the arc that leaves its smallest site and has the
-  /// triangle on its left, in the order of sites.
+  /// Calls `f(arc)` once a triangle, with the arc that leaves its smallest site and has
+  /// the triangle on its left, in the order of sites.
   template <class F>
   void for_each_triangle(F f) const {
     for (Site v = 0; v < num_sites(); ++v) {
@@ -123,7 +129,9 @@ class Adjacency {
   friend bool operator==(const Adjacency&, const Adjacency&) = default;
 
  private:
-  static std::size_t index(std::int32_t i) noexcept { return static_cast<std::size_t>(i); }
+  static std::size_t index(std::int32_t i) noexcept {
+    return static_cast<std::size_t>(i);
+  }
   [[nodiscard]] Arc find_far_reverse(Arc a) const noexcept;
 
   void note_far_reverses();
@@ -133,12 +141,14 @@ class Adjacency {
   std::vector<bool> is_boundary_;
   bool is_chain_ = false;
   Buffer<std::uint8_t> reverse_;  // position in the target's list; 255: in far_
-  // Reverses at position 255 and beyond (hubs), sorted by arc: (arc, index of its reverse).
+  // Reverses at position 255 and beyond (hubs), sorted by arc: (arc, index of its
+  // reverse).
   std::vector<std::pair<std::int32_t, std::int32_t>> far_;
 };
 
-/// Renka's TRIPACK/STRIPACK form, 1-based as in Fortran: for node k, LEND(k) points at its last
-/// neighbour, LPTR gives the next one cyclically, LIST(LEND(k)) < 0 marks a boundary node.
+/// Renka's TRIPACK/STRIPACK form, 1-based as in Fortran: for node k, LEND(k) points at
+/// its last neighbour, LPTR gives the next one cyclically, LIST(LEND(k)) < 0 marks a
+/// boundary node.
 struct RenkaLists {
   std::vector<std::int32_t> list, lptr, lend;
   std::int32_t lnew = 1;

@@ -14,14 +14,17 @@ namespace {
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 constexpr std::size_t cache_line = 64;
 
-constexpr std::size_t round_up(std::size_t bytes, std::size_t unit) { return (bytes + unit - 1) / unit * unit; }
+constexpr std::size_t round_up(std::size_t bytes, std::size_t unit) {
+  return (bytes + unit - 1) / unit * unit;
+}
 
 #ifdef __linux__
-// A block that begins on a huge page: maps one page more than needed and gives the ends back.
+// A block that begins on a huge page: maps one page more than needed and gives the ends
+// back.
 void* map_bytes(std::size_t bytes) {
   const std::size_t size = round_up(bytes, huge_page), slack = huge_page;
-  void* const mapped =
-      mmap(nullptr, size + slack, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  void* const mapped = mmap(nullptr, size + slack, PROT_READ | PROT_WRITE,
+                            MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (mapped == MAP_FAILED) throw std::bad_alloc();
   const auto address = reinterpret_cast<std::uintptr_t>(mapped);
   const std::size_t head = round_up(address, huge_page) - address;

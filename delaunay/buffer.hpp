@@ -9,13 +9,13 @@
 
 namespace delone::delaunay {
 
-/// Zero-filled or arbitrary memory, aligned to 64 bytes; large blocks go straight to the system, on
-/// huge pages, and back to it when freed. Throws std::bad_alloc.
+/// Zero-filled or arbitrary memory, aligned to 64 bytes; large blocks go straight to the
+/// system, on huge pages, and back to it when freed. Throws std::bad_alloc.
 [[nodiscard]] void* allocate_bytes(std::size_t bytes);
 void free_bytes(void* p, std::size_t bytes) noexcept;
 
-/// Memory on huge pages where the system has them (first touch of 160 MB costs 54 ms on 4 KiB pages
-/// and 8 ms on 2 MiB pages), left uninitialised by `resize`.
+/// Memory on huge pages where the system has them (first touch of 160 MB costs 54 ms on 4
+/// KiB pages and 8 ms on 2 MiB pages), left uninitialised by `resize`.
 template <class T>
 class BufferAllocator {
  public:
@@ -25,7 +25,8 @@ class BufferAllocator {
   BufferAllocator(const BufferAllocator<U>&) noexcept {}  // NOLINT: allocators convert
 
   [[nodiscard]] T* allocate(std::size_t size) {
-    if (size > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T)) throw std::bad_alloc();
+    if (size > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T))
+      throw std::bad_alloc();
     return static_cast<T*>(allocate_bytes(size * sizeof(T)));
   }
   void deallocate(T* p, std::size_t size) noexcept { free_bytes(p, size * sizeof(T)); }
@@ -41,7 +42,6 @@ class BufferAllocator {
   }
 
   friend bool operator==(const BufferAllocator&, const BufferAllocator&) { return true; }
-
 };
 
 /// A vector of plain values, for large arrays.

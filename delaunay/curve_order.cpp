@@ -10,8 +10,8 @@ namespace delone::delaunay {
 
 namespace {
 
-// Hilbert's curve in a square is four copies of itself; two are transposed, one of those also
-// turned. State bit 0: x and y change places; bit 1: both run backwards.
+// Hilbert's curve in a square is four copies of itself; two are transposed, one of those
+// also turned. State bit 0: x and y change places; bit 1: both run backwards.
 struct Digit {
   std::uint8_t key;
   std::uint8_t state;
@@ -56,8 +56,8 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) noexcept {
 void check_num_points(std::size_t num_points) {
   constexpr std::size_t limit = std::size_t{1} << 28;
   if (num_points <= limit) return;
-  throw Error(std::to_string(num_points) + " points are more than the limit of " + std::to_string(limit) +
-              " a triangulation; divide the set");
+  throw Error(std::to_string(num_points) + " points are more than the limit of " +
+              std::to_string(limit) + " a triangulation; divide the set");
 }
 
 void sort_by_key(Buffer<KeyedRow>& items) {
@@ -73,7 +73,8 @@ void sort_by_key(Buffer<KeyedRow>& items) {
   };
   std::array<std::array<std::uint32_t, buckets>, passes> counts{};
   for (const KeyedRow item : items) {
-    for (int pass = 0; pass < passes; ++pass) ++counts[static_cast<std::size_t>(pass)][digit(item, pass)];
+    for (int pass = 0; pass < passes; ++pass)
+      ++counts[static_cast<std::size_t>(pass)][digit(item, pass)];
   }
   Buffer<KeyedRow> sorted(items.size());
   for (int pass = 0; pass < passes; ++pass) {

@@ -10,8 +10,9 @@
 
 namespace delone::delaunay {
 
-/// Position of the cell (x, y) of a 2^16 x 2^16 square along Hilbert's curve, 0 .. 2^32 - 1.
-/// Source: D. Hilbert, Math. Ann. 38 (1891) 459-460; here a state machine over 4-bit digits.
+/// Position of the cell (x, y) of a 2^16 x 2^16 square along Hilbert's curve, 0 .. 2^32
+/// - 1. Source: D. Hilbert, Math. Ann. 38 (1891) 459-460; here a state machine over 4-bit
+/// digits.
 [[nodiscard]] std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) noexcept;
 
 /// An item to sort: key in the high half, row in the low half.
@@ -52,17 +53,20 @@ using Chart = std::array<double, 2>;
 
 /// Puts rows that share a key into their final order and finds repeats.
 ///
-/// `items` is sorted by key. Few rows with one key are sorted by `chart(row)`; many are keyed again
-/// inside their own bounding box on the chart, so a dense cluster in a sparse set gets a curve of
-/// its own. Rows of equal chart coordinates are ordered by `compare.less(row, row)`, and those
-/// for which `compare.is_same(row, row)` are one position. Depends on the set of positions only.
+/// `items` is sorted by key. Few rows with one key are sorted by `chart(row)`; many are
+/// keyed again inside their own bounding box on the chart, so a dense cluster in a sparse
+/// set gets a curve of its own. Rows of equal chart coordinates are ordered by
+/// `compare.less(row, row)`, and those for which `compare.is_same(row, row)` are one
+/// position. Depends on the set of positions only.
 template <class ChartOf, class Compare>
-[[nodiscard]] SiteOrder site_order(Buffer<KeyedRow>& items, ChartOf chart, Compare compare);
+[[nodiscard]] SiteOrder site_order(Buffer<KeyedRow>& items, ChartOf chart,
+                                   Compare compare);
 
-/// The order in which sites numbered along a curve are inserted: first every 8^k-th of the whole
-/// curve, k falling, then blocks of 4096 neighbours with strides 512, 64, 8, 1. Each new site then
-/// falls among settled ones (few flips), near the last one (short walk, warm cache), and no
-/// order of the input makes it slow. Calls `f(site)` once a site.
+/// The order in which sites numbered along a curve are inserted: first every 8^k-th of
+/// the whole curve, k falling, then blocks of 4096 neighbours with strides 512, 64, 8, 1.
+/// Each new site then falls among settled ones (few flips), near the last one (short
+/// walk, warm cache), and no order of the input makes it slow. Calls `f(site)` once a
+/// site.
 inline constexpr Site insertion_block = 4096;
 
 template <class F>
@@ -72,7 +76,8 @@ void for_each_in_insertion_order(Site num_sites, F f) {
   std::int64_t stride = block;
   while (stride * ratio < n) stride *= ratio;
   const std::int64_t coarsest = stride;
-  const auto level = [&](std::int64_t begin, std::int64_t end, std::int64_t step, bool all) {
+  const auto level = [&](std::int64_t begin, std::int64_t end, std::int64_t step,
+                         bool all) {
     for (std::int64_t i = begin, k = 0; i < end; i += step, ++k) {
       if (all || k % ratio != 0) f(static_cast<Site>(i));
     }
@@ -80,7 +85,8 @@ void for_each_in_insertion_order(Site num_sites, F f) {
   for (; stride >= block; stride /= ratio) level(0, n, stride, stride == coarsest);
   for (std::int64_t begin = 0; begin < n; begin += block) {
     const std::int64_t end = begin + block < n ? begin + block : n;
-    for (std::int64_t step = block / ratio; step >= 1; step /= ratio) level(begin, end, step, false);
+    for (std::int64_t step = block / ratio; step >= 1; step /= ratio)
+      level(begin, end, step, false);
   }
 }
 

@@ -8,16 +8,18 @@
 
 namespace delone::delaunay {
 
-/// Spreads an interval over integer cells 0 .. num_cells - 1, its ends in the first and the last.
+/// Spreads an interval over integer cells 0 .. num_cells - 1, its ends in the first and
+/// the last.
 ///
-/// Coordinates are first scaled by a power of two, so that neither the difference of the ends
-/// overflows (+-1e308) nor its inverse (denormal extents).
+/// Coordinates are first scaled by a power of two, so that neither the difference of the
+/// ends overflows (+-1e308) nor its inverse (denormal extents).
 class CellScale {
  public:
   CellScale(double low, double high, double num_cells) : last_(num_cells - 1) {
     const double half = high / 2 - low / 2;
     if (!(high > low)) return;
-    power_ = std::ldexp(1.0, std::clamp(-std::ilogb(half > 0 ? half : high - low), -1000, 1000));
+    power_ = std::ldexp(
+        1.0, std::clamp(-std::ilogb(half > 0 ? half : high - low), -1000, 1000));
     low_ = low * power_;
     scale_ = num_cells / (high * power_ - low_);
   }
@@ -89,22 +91,27 @@ class SiteOrderBuilder {
     std::sort(run.begin(), run.end(), [this](KeyedRow a, KeyedRow b) {
       const Chart p = chart_(row_of(a)), q = chart_(row_of(b));
       if (p != q) return p < q;
-      const bool before = compare_.less(row_of(a), row_of(b)), after = compare_.less(row_of(b), row_of(a));
+      const bool before = compare_.less(row_of(a), row_of(b)),
+                 after = compare_.less(row_of(b), row_of(a));
       return before != after ? before : row_of(a) < row_of(b);
     });
-    std::size_t first_site = order_.rows.size();  // first site with the chart coordinates at hand
+    std::size_t first_site =
+        order_.rows.size();  // first site with the chart coordinates at hand
     for (std::size_t i = 0; i < run.size(); ++i) {
       const Node row = row_of(run[i]);
-      if (i > 0 && chart_(row) != chart_(row_of(run[i - 1]))) first_site = order_.rows.size();
+      if (i > 0 && chart_(row) != chart_(row_of(run[i - 1])))
+        first_site = order_.rows.size();
       add_site_unless_repeated(row, first_site);
     }
   }
 
   void add_site_unless_repeated(Node row, std::size_t first_site) {
     const auto begin = order_.rows.begin() + static_cast<std::ptrdiff_t>(first_site);
-    const auto same = std::find_if(begin, order_.rows.end(), [&](Node r) { return compare_.is_same(r, row); });
+    const auto same = std::find_if(begin, order_.rows.end(),
+                                   [&](Node r) { return compare_.is_same(r, row); });
     if (same == order_.rows.end()) return add_site(row);
-    order_.sites[static_cast<std::size_t>(row)] = static_cast<Site>(same - order_.rows.begin());
+    order_.sites[static_cast<std::size_t>(row)] =
+        static_cast<Site>(same - order_.rows.begin());
     *same = std::min(*same, row);
   }
 

@@ -10,8 +10,8 @@ namespace delone {
 
 /// Input that breaks a contract. Thrown before any work is done.
 ///
-/// `what()` is one line that names the mend; `rows()` holds the 0-based numbers of the offending
-/// rows of the caller's arrays (at most a few; empty where no row is to blame).
+/// `what()` is one line that names the mend; `rows()` holds the 0-based numbers of the
+/// offending rows of the caller's arrays (at most a few; empty where no row is to blame).
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message, std::vector<std::int64_t> rows = {});

@@ -20,20 +20,22 @@ namespace delone::delaunay {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// A part of a fork-join loop's progress: the loop covers [begin, end] of the call's 0..1.
+/// A part of a fork-join loop's progress: the loop covers [begin, end] of the call's
+/// 0..1.
 struct ProgressSpan {
   double begin = 0, end = 1;
 };
 
-/// Calls `body(first, last)` for the pieces [0, chunk), [chunk, 2 chunk), ... of [0, count), each once, on several
-/// threads, and returns when all are done.
+/// Calls `body(first, last)` for the pieces [0, chunk), [chunk, 2 chunk), ... of [0,
+/// count), each once, on several threads, and returns when all are done.
 ///
-/// The pieces do not depend on the number of threads; a body that writes only what belongs to its piece
-/// therefore gives the same result for every number. Progress is reported from the calling thread; when it
-/// asks to stop, no new piece is begun and Cancelled is thrown. The first exception of a body is rethrown.
+/// The pieces do not depend on the number of threads; a body that writes only what
+/// belongs to its piece therefore gives the same result for every number. Progress is
+/// reported from the calling thread; when it asks to stop, no new piece is begun and
+/// Cancelled is thrown. The first exception of a body is rethrown.
 template <std::invocable<std::int64_t, std::int64_t> Body>
-void parallel_chunks(std::int64_t count, std::int64_t chunk, const RunOptions& run, Body body,
-                     ProgressSpan progress = {}) {
+void parallel_chunks(std::int64_t count, std::int64_t chunk, const RunOptions& run,
+                     Body body, ProgressSpan progress = {}) {
   const std::int64_t num_chunks = (count + chunk - 1) / chunk;
   std::atomic<std::int64_t> next{0};
   std::atomic<bool> stop{false};
@@ -53,10 +55,13 @@ void parallel_chunks(std::int64_t count, std::int64_t chunk, const RunOptions& r
       stop = true;
     }
   };
+  std::int64_t last_reported = 0;
   const auto report = [&](std::int64_t done) {
     if (!run.progress) return;
+    last_reported = done;
     const double part = static_cast<double>(done) / static_cast<double>(num_chunks);
-    if (!run.progress(progress.begin + (progress.end - progress.begin) * part)) throw Cancelled();
+    if (!run.progress(progress.begin + (progress.end - progress.begin) * part))
+      throw Cancelled();
   };
   {
     const auto helpers = std::min<std::int64_t>(num_threads(run), num_chunks) - 1;
@@ -67,6 +72,8 @@ void parallel_chunks(std::int64_t count, std::int64_t chunk, const RunOptions& r
     work(report);
   }
   if (failure) std::rethrow_exception(failure);
+  if (last_reported < num_chunks)
+    report(num_chunks);  // the last pieces were another thread's
 }
 
 }  // namespace delone::delaunay

@@ -4,7 +4,8 @@
 
 namespace delone::delaunay {
 
-std::vector<std::array<Node, 3>> list_triangles(const Adjacency& t, std::span<const Node> rows,
+std::vector<std::array<Node, 3>> list_triangles(const Adjacency& t,
+                                                std::span<const Node> rows,
                                                 std::span<const Site> sites) {
   std::vector<std::array<Node, 3>> triangles;
   if (t.is_chain()) return triangles;
@@ -34,7 +35,9 @@ std::vector<Node> list_boundary(const Adjacency& t, std::span<const Node> rows) 
   Site start = none;
   for (Site v = 0; v < t.num_sites(); ++v) {
     if (!t.is_boundary(v)) continue;
-    if (start == none || rows[static_cast<std::size_t>(v)] < rows[static_cast<std::size_t>(start)]) start = v;
+    if (start == none ||
+        rows[static_cast<std::size_t>(v)] < rows[static_cast<std::size_t>(start)])
+      start = v;
   }
   if (start == none) return boundary;
   Site v = start;

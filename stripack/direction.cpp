@@ -1,5 +1,6 @@
 #include "stripack/direction.hpp"
 
+#include <GeographicLib/Ellipsoid.hpp>
 #include <GeographicLib/Geodesic.hpp>
 #include <GeographicLib/Math.hpp>
 #include <algorithm>
@@ -64,8 +65,15 @@ double angle(const Direction& a, const Direction& b) noexcept {
 
 double geodesic_km(LonLat a, LonLat b) {
   double meters = 0;
-  GeographicLib::Geodesic::WGS84().Inverse(a.lat_deg, a.lon_deg, b.lat_deg, b.lon_deg, meters);
+  GeographicLib::Geodesic::WGS84().Inverse(a.lat_deg, a.lon_deg, b.lat_deg, b.lon_deg,
+                                           meters);
   return meters / 1000;
+}
+
+EastNorth curvature_radii_km_wgs84(double lat_deg) {
+  const auto& wgs84 = GeographicLib::Ellipsoid::WGS84();
+  return {wgs84.TransverseCurvatureRadius(lat_deg) / 1000,
+          wgs84.MeridionalCurvatureRadius(lat_deg) / 1000};
 }
 
 }  // namespace delone::stripack

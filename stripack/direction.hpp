@@ -10,17 +10,20 @@ struct LonLat {
 
 /// A point of the unit sphere: a direction from the centre.
 ///
-/// The components are doubles, so the length is 1 only to within 2^-51; every predicate takes the
-/// exact direction of the stored triple. -0 never occurs.
+/// The components are doubles, so the length is 1 only to within 2^-51; every predicate
+/// takes the exact direction of the stored triple. -0 never occurs.
 class Direction {
  public:
   /// (1, 0, 0)
   Direction() = default;
-  /// Degree-exact (GeographicLib::Math::sincosd): a pole is one point for every longitude and
-  /// +-180 one meridian. Throws Error if lat is outside [-90, 90] or either is not finite.
+  /// Degree-exact (GeographicLib::Math::sincosd): a pole is one point for every longitude
+  /// and
+  /// +-180 one meridian. Throws Error if lat is outside [-90, 90] or either is not
+  /// finite.
   [[nodiscard]] static Direction from(LonLat p);
-  /// Normalises; a vector already within 2^-51 of unit length is taken as it is. Any finite
-  /// non-zero vector, no overflow or underflow. Throws Error on zero or non-finite vectors.
+  /// Normalises; a vector already within 2^-51 of unit length is taken as it is. Any
+  /// finite non-zero vector, no overflow or underflow. Throws Error on zero or non-finite
+  /// vectors.
   [[nodiscard]] static Direction from(double x, double y, double z);
 
   [[nodiscard]] double x() const noexcept { return x_; }
@@ -44,5 +47,13 @@ inline constexpr double earth_radius_km = 6371.0088;
 
 /// Geodesic distance on WGS84 in kilometres (GeographicLib, nanometre accuracy).
 [[nodiscard]] double geodesic_km(LonLat a, LonLat b);
+
+struct EastNorth {
+  double east = 0, north = 0;
+};
+
+/// Radii of curvature of WGS84 at a geodetic latitude, towards east (transverse) and
+/// north (meridional): the kilometres that a radian of turn of the surface normal covers.
+[[nodiscard]] EastNorth curvature_radii_km_wgs84(double lat_deg);
 
 }  // namespace delone::stripack

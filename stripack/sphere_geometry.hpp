@@ -10,8 +10,9 @@
 
 namespace delone::stripack {
 
-/// The sphere as a closed polyhedron: the convex hull of the sites. Faces that the centre sees from
-/// behind or edge-on (orientation <= 0) are the outside of a set that lies in a hemisphere.
+/// The sphere as a closed polyhedron: the convex hull of the sites. Faces that the centre
+/// sees from behind or edge-on (orientation <= 0) are the outside of a set that lies in a
+/// hemisphere.
 class SphereGeometry {
  public:
   using Face = delaunay::Face;
@@ -25,29 +26,40 @@ class SphereGeometry {
     return {d.x(), d.y(), d.z()};
   }
 
-  /// Bound on the error of normal . q - offset, and of offset alone, for a face with sides B, C from
-  /// its first corner, against the exact unit vectors: each stored point is off by at most 4 u
-  /// (u = 2^-53), which moves the sixfold volume by at most 20 u (|B| + |C|), the largest
-  /// distance being 2; rounding of the two products adds 22 u (|B| + |C|). 48 u leaves room for
-  /// second-order terms.
+  /// Bound on the error of normal . q - offset, and of offset alone, for a face with
+  /// sides B, C from its first corner, against the exact unit vectors: each stored point
+  /// is off by at most 4 u (u = 2^-53), which moves the sixfold volume by at most 20 u
+  /// (|B| + |C|), the largest distance being 2; rounding of the two products adds 22 u
+  /// (|B| + |C|). 48 u leaves room for second-order terms.
   static constexpr double plane_error = 48 * 0x1p-53;
 
   [[nodiscard]] static constexpr bool is_finite(Site) noexcept { return true; }
-  static double set_vertical_plane(Face&) noexcept { return 0; }  // there is no node at infinity
+  static double set_vertical_plane(Face&) noexcept {
+    return 0;
+  }  // there is no node at infinity
 
   [[nodiscard]] bool is_front(const Face& f) const noexcept {
     if (f.offset > f.error) return true;
     if (f.offset < -f.error) return false;
-    return orientation(direction(f.node[0]), direction(f.node[1]), direction(f.node[2])) > 0;
+    return orientation(direction(f.node[0]), direction(f.node[1]), direction(f.node[2])) >
+           0;
   }
 
   [[nodiscard]] bool sees(const std::array<Site, 3>& node, Site q) const noexcept {
-    return in_circle_perturbed(direction(node[0]), direction(node[1]), direction(node[2]), direction(q)) > 0;
+    return in_circle_perturbed(direction(node[0]), direction(node[1]), direction(node[2]),
+                               direction(q)) > 0;
+  }
+
+  // Unit vectors are never free of rounding.
+  [[nodiscard]] static constexpr double exact_area() noexcept { return -1; }
+  [[nodiscard]] bool sees_tie(const std::array<Site, 3>& node, Site q) const noexcept {
+    return sees(node, q);
   }
 
   [[nodiscard]] double side(Site a, Site b, Site q) const noexcept {
     const Vector3 u = point(a), v = point(b), p = point(q);
-    return p.x * (u.y * v.z - u.z * v.y) + p.y * (u.z * v.x - u.x * v.z) + p.z * (u.x * v.y - u.y * v.x);
+    return p.x * (u.y * v.z - u.z * v.y) + p.y * (u.z * v.x - u.x * v.z) +
+           p.z * (u.x * v.y - u.y * v.x);
   }
 
   [[nodiscard]] int exact_side(Site a, Site b, Site q) const noexcept {
@@ -55,7 +67,9 @@ class SphereGeometry {
   }
 
  private:
-  [[nodiscard]] const Direction& direction(Site s) const noexcept { return points_[static_cast<std::size_t>(s)]; }
+  [[nodiscard]] const Direction& direction(Site s) const noexcept {
+    return points_[static_cast<std::size_t>(s)];
+  }
 
   std::span<const Direction> points_;
 };

@@ -23,8 +23,9 @@ using delaunay::none;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// The face of the cube around the sphere, and the coordinates on it (gnomonic, -1 .. 1). These are
-// rounded quotients, so triples of one direction get the same ones whatever their length.
+// The face of the cube around the sphere, and the coordinates on it (gnomonic, -1 .. 1).
+// These are rounded quotients, so triples of one direction get the same ones whatever
+// their length.
 struct CubePoint {
   std::uint32_t face;
   Chart chart;
@@ -40,8 +41,12 @@ CubePoint on_cube(const Direction& d) {
 // Different directions may have the same rounded chart coordinates.
 struct DirectionOrder {
   std::span<const Direction> points;
-  [[nodiscard]] bool less(Node a, Node b) const { return lexicographically_less(points[at(a)], points[at(b)]); }
-  [[nodiscard]] bool is_same(Node a, Node b) const { return is_same_direction(points[at(a)], points[at(b)]); }
+  [[nodiscard]] bool less(Node a, Node b) const {
+    return lexicographically_less(points[at(a)], points[at(b)]);
+  }
+  [[nodiscard]] bool is_same(Node a, Node b) const {
+    return is_same_direction(points[at(a)], points[at(b)]);
+  }
 };
 
 delaunay::SiteOrder order_sites(std::span<const Direction> points) {
@@ -50,19 +55,23 @@ delaunay::SiteOrder order_sites(std::span<const Direction> points) {
   delaunay::Buffer<KeyedRow> items(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CubePoint p = on_cube(points[i]);
-    const std::uint32_t x = scale.cell(p.chart[0]) << (16 - bits), y = scale.cell(p.chart[1]) << (16 - bits);
+    const std::uint32_t x = scale.cell(p.chart[0]) << (16 - bits),
+                        y = scale.cell(p.chart[1]) << (16 - bits);
     const std::uint32_t key = delaunay::hilbert_key(x, y) >> (32 - 2 * bits);
     items[i] = KeyedRow{p.face << (2 * bits) | key} << 32 | i;
   }
   delaunay::sort_by_key(items);
-  return delaunay::site_order(items, [&](Node row) { return on_cube(points[at(row)]).chart; },
-                              DirectionOrder{points});
+  return delaunay::site_order(
+      items, [&](Node row) { return on_cube(points[at(row)]).chart; },
+      DirectionOrder{points});
 }
 
 // Three sites that are not on one great circle, counter-clockwise; {} if there are none.
 std::vector<Site> first_triangle(std::span<const Direction> points) {
   std::size_t other = 1;  // the first site that is not opposite to site 0
-  const Direction opposite = points.empty() ? Direction() : Direction::from(-points[0].x(), -points[0].y(), -points[0].z());
+  const Direction opposite =
+      points.empty() ? Direction()
+                     : Direction::from(-points[0].x(), -points[0].y(), -points[0].z());
   while (other < points.size() && is_same_direction(points[other], opposite)) ++other;
   for (std::size_t i = other + 1; i < points.size(); ++i) {
     const int s = orientation(points[0], points[other], points[i]);
@@ -73,7 +82,8 @@ std::vector<Site> first_triangle(std::span<const Direction> points) {
   return {};
 }
 
-Adjacency build(std::span<const Direction> points, const std::vector<Site>& first) {
+Adjacency build(std::span<const Direction> points, const std::vector<Site>& first,
+                const Progress& progress) {
   const auto n = static_cast<Site>(points.size());
   auto lists = [&] {
     const SphereGeometry geometry(points);
@@ -82,10 +92,14 @@ Adjacency build(std::span<const Direction> points, const std::vector<Site>& firs
     // Two faces back to back: every further site sees exactly one of them.
     const std::array<std::array<Site, 3>, 2> start{{{a, b, c}, {a, c, b}}};
     hull.start(start);
+    ProgressMeter meter(progress, n);
     delaunay::for_each_in_insertion_order(n, [&](Site q) {
+      meter.step();
       if (q != a && q != b && q != c) hull.insert(q);
     });
-    return delaunay::HullLists(hull, n, [&](const delaunay::Face& f) { return geometry.is_front(f); }).build();
+    return delaunay::HullLists(
+               hull, n, [&](const delaunay::Face& f) { return geometry.is_front(f); })
+        .build();
   }();
   return Adjacency(std::move(lists));
 }
@@ -95,28 +109,35 @@ double squared_chord(const Direction& a, const Direction& b) {
   return dx * dx + dy * dy + dz * dz;
 }
 
+double squared_sum(const Direction& a, const Direction& b) {
+  const double dx = a.x() + b.x(), dy = a.y() + b.y(), dz = a.z() + b.z();
+  return dx * dx + dy * dy + dz * dz;
+}
+
 }  // namespace
 
-Triangulation::Triangulation(std::span<const Direction> points, const RunOptions&) {
+Triangulation::Triangulation(std::span<const Direction> points,
+                             const RunOptions& options) {
   delaunay::check_num_points(points.size());
   delaunay::SiteOrder order = order_sites(points);
   rows_ = std::move(order.rows);
   sites_ = std::move(order.sites);
   points_.resize(rows_.size());
-  std::transform(rows_.begin(), rows_.end(), points_.begin(), [&](Node row) { return points[at(row)]; });
+  std::transform(rows_.begin(), rows_.end(), points_.begin(),
+                 [&](Node row) { return points[at(row)]; });
   if (num_sites() < num_rows()) settle_lengths(points);
   const std::vector<Site> first = first_triangle(points_);
   if (first.empty()) {
     make_chain();
     return;
   }
-  adjacency_ = build(points_, first);
+  adjacency_ = build(points_, first, options.progress);
   num_triangles_ = adjacency_.num_triangles();
   dimension_ = 2;
 }
 
-// One direction may come as triples of lengths an ulp apart; which of them is kept, and so how ties are
-// broken, must not depend on the order of rows.
+// One direction may come as triples of lengths an ulp apart; which of them is kept, and
+// so how ties are broken, must not depend on the order of rows.
 void Triangulation::settle_lengths(std::span<const Direction> points) {
   for (std::size_t row = 0; row < points.size(); ++row) {
     Direction& kept = points_[at(sites_[row])];
@@ -133,24 +154,30 @@ void Triangulation::make_chain() {
 
 Arc Triangulation::find(const Direction& p, Arc start) const {
   if (dimension_ < 2) return {};
-  return delaunay::walk(adjacency_, start,
-                        [&](Site u, Site v) { return orientation(points_[at(u)], points_[at(v)], p); });
+  return delaunay::walk(adjacency_, start, [&](Site u, Site v) {
+    return orientation(points_[at(u)], points_[at(v)], p);
+  });
 }
 
 Location Triangulation::locate(const Direction& p, Node hint) const {
   if (dimension_ < 2) return locate_in_chain(p);
   const Arc start = hint == none ? Arc{} : adjacency_.first_arc(sites_[at(hint)]);
-  const auto side = [&](Site u, Site v) { return orientation(points_[at(u)], points_[at(v)], p); };
-  return delaunay::describe(adjacency_, rows_, delaunay::walk(adjacency_, start, side), side);
+  const auto side = [&](Site u, Site v) {
+    return orientation(points_[at(u)], points_[at(v)], p);
+  };
+  return delaunay::describe(adjacency_, rows_, delaunay::walk(adjacency_, start, side),
+                            side);
 }
 
 Location Triangulation::locate_in_chain(const Direction& p) const {
   for (Site s = 0; s < num_sites(); ++s) {
-    if (is_same_direction(points_[at(s)], p)) return {Location::Kind::node, {rows_[at(s)], none, none}};
+    if (is_same_direction(points_[at(s)], p))
+      return {Location::Kind::node, {rows_[at(s)], none, none}};
   }
   for (Site s = 0; s < num_sites(); ++s) {
     for (const Site t : adjacency_.neighbors(s)) {
-      if (is_inside_arc(points_[at(s)], points_[at(t)], p)) return {Location::Kind::edge, {rows_[at(s)], rows_[at(t)], none}};
+      if (is_inside_arc(points_[at(s)], points_[at(t)], p))
+        return {Location::Kind::edge, {rows_[at(s)], rows_[at(t)], none}};
     }
   }
   return {};
@@ -158,12 +185,21 @@ Location Triangulation::locate_in_chain(const Direction& p) const {
 
 Site Triangulation::nearest_site(const Direction& p, Site start) const {
   if (num_sites() == 0) return none;
-  const auto distance = [&](Site s) { return squared_chord(points_[at(s)], p); };
+  const auto chord = [&](Site s) { return squared_chord(points_[at(s)], p); };
+  const Site best = delaunay::descend(adjacency_, start, chord);
+  return chord(best) < 2 ? best : nearest_beyond_90_degrees(p, best);
+}
+
+// Neighbours through the outside are not in the lists. They separate cells only at 90
+// degrees and more from the nearest site (their circumcentres see a face from behind),
+// and join boundary sites only. Out there chords hardly differ: the tangent of half the
+// angle tells.
+Site Triangulation::nearest_beyond_90_degrees(const Direction& p, Site start) const {
+  const auto distance = [&](Site s) {
+    return squared_chord(points_[at(s)], p) / squared_sum(points_[at(s)], p);
+  };
   Site best = delaunay::descend(adjacency_, start, distance);
-  // Neighbours through the outside are not in the lists. They separate cells only at 90 degrees
-  // and more from the nearest site (their circumcentres see a face from behind), and join boundary
-  // sites only.
-  while (adjacency_.is_boundary(best) && distance(best) >= 2) {
+  while (adjacency_.is_boundary(best)) {
     Site better = best;
     for (Site s = 0; s < num_sites(); ++s) {
       if (adjacency_.is_boundary(s) && distance(s) < distance(better)) better = s;
@@ -183,11 +219,14 @@ std::vector<std::array<Node, 3>> Triangulation::triangles() const {
   return delaunay::list_triangles(adjacency_, rows_, sites_);
 }
 
-std::vector<Node> Triangulation::boundary() const { return delaunay::list_boundary(adjacency_, rows_); }
+std::vector<Node> Triangulation::boundary() const {
+  return delaunay::list_boundary(adjacency_, rows_);
+}
 
 std::vector<Node> Triangulation::neighbors(Node row) const {
   std::vector<Node> result;
-  for (const Site s : adjacency_.neighbors(sites_[at(row)])) result.push_back(rows_[at(s)]);
+  for (const Site s : adjacency_.neighbors(sites_[at(row)]))
+    result.push_back(rows_[at(s)]);
   return result;
 }
 

@@ -27,7 +27,11 @@ Int128 cross(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by)
   return product(ax, by) - product(ay, bx);
 }
 
-bool is_before(Point2 a, Point2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+// Without jumps: of the four points of a tie any may be the first.
+bool is_before(Point2 a, Point2 b) {
+  return static_cast<int>(a.x < b.x) |
+         (static_cast<int>(a.x == b.x) & static_cast<int>(a.y < b.y));
+}
 
 }  // namespace
 
@@ -96,11 +100,11 @@ int in_circle(Point2 a, Point2 b, Point2 c, Point2 p) noexcept {
 // zero. Four different points of a circle have no three on a line, so that is e_0: the
 // point of lowest (x, y) goes outside.
 int break_tie(Point2 a, Point2 b, Point2 c, Point2 p) noexcept {
-  const Point2 first = std::min({a, b, c, p}, is_before);
-  if (first == a) return orientation(b, c, p);
-  if (first == b) return orientation(c, a, p);
-  if (first == c) return orientation(a, b, p);
-  return orientation(b, a, c);
+  const std::array<Point2, 5> corner{a, b, c, a, b};
+  std::size_t first = static_cast<std::size_t>(is_before(b, a));
+  first = is_before(c, corner[first]) ? 2 : first;
+  if (is_before(p, corner[first])) return orientation(b, a, c);
+  return orientation(corner[first + 1], corner[first + 2], p);
 }
 
 int in_circle_perturbed(Point2 a, Point2 b, Point2 c, Point2 p) noexcept {

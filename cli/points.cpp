@@ -1,0 +1,145 @@
+#include "cli/points.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <string_view>
+
+#include "cli/output.hpp"
+
+namespace delone::cli {
+namespace {
+
+void say_columns(const Points& points, const Reporter& reporter) {
+  const io::PointTable& table = points.table;
+  std::string columns = fmt::format("x is '{}', y is '{}'", table.x_name, table.y_name);
+  if (!table.value.empty()) columns += fmt::format(", value is '{}'", table.value_name);
+  std::string dropped;
+  if (table.num_missing > 0)
+    dropped += fmt::format(", {} with missing values dropped", table.num_missing);
+  if (table.num_bad > 0) dropped += fmt::format(", {} bad rows skipped", table.num_bad);
+  reporter.say("{}: {}, on the {}; {}{}", display_name(points.path), columns,
+               name_of(points.domain), counted(points.size(), "point"), dropped);
+}
+
+/// Throws Error at the first row whose position an earlier row has.
+template <class Triangulation>
+void refuse_repeats(const Triangulation& t, const io::PointTable& table) {
+  for (std::int32_t row = 0; row < t.num_rows(); ++row) {
+    const auto site = static_cast<std::size_t>(t.sites()[static_cast<std::size_t>(row)]);
+    const std::int32_t first = t.rows()[site];
+    if (first == row) continue;
+    throw Error(
+        fmt::format(
+            "row {} repeats the position of row {}; remove one, or choose another "
+            "--duplicates",
+            node_number(table, row), node_number(table, first)),
+        {row, first});
+  }
+}
+
+std::string described_repeats(std::int64_t num_repeats, const Points& points) {
+  if (num_repeats == 0) return "";
+  const std::string rows = fmt::format("{} {} one", counted(num_repeats, "row"),
+                                       num_repeats == 1 ? "repeats" : "repeat");
+  if (points.table.value.empty()) return fmt::format(" ({})", rows);
+  return fmt::format(" ({}, --duplicates {})", rows, name_of(points.duplicates));
+}
+
+template <class Triangulation>
+void say_triangulated(const Triangulation& t, const Points& points,
+                      const Reporter& reporter) {
+  const std::string_view line = points.is_on_plane() ? "line" : "great circle";
+  reporter.say("{}{}, {}{}", counted(t.num_sites(), "different position"),
+               described_repeats(t.num_rows() - t.num_sites(), points),
+               counted(t.num_triangles(), "triangle"),
+               t.dimension() == 1 ? fmt::format(": all lie on one {}", line) : "");
+}
+
+template <class Triangulation, class Point>
+std::shared_ptr<const Triangulation> build(const Points& points,
+                                           std::span<const Point> positions,
+                                           Reporter& reporter) {
+  return blaming(points, [&] {
+    auto t = std::make_shared<const Triangulation>(positions,
+                                                   reporter.run_options("triangulating"));
+    if (points.duplicates == interp::Duplicates::error && points.table.value.empty())
+      refuse_repeats(*t, points.table);
+    say_triangulated(*t, points, reporter);
+    return t;
+  });
+}
+
+}  // namespace
+
+Points read_points(const PointSettings& settings, Reporter& reporter) {
+  Points points{settings.path, {}, Domain::plane, settings.duplicates};
+  points.table = reporter.timed(
+      Phase::read, [&] { return io::read_table(settings.path, settings.columns); });
+  points.domain =
+      settings.domain.value_or(points.table.is_lonlat ? Domain::sphere : Domain::plane);
+  reporter.count_points(points.size());
+  say_columns(points, reporter);
+  return points;
+}
+
+std::int32_t node_number(const io::PointTable& table, std::int64_t row) {
+  const std::int64_t number = table.row_of(static_cast<std::size_t>(row));
+  if (number > std::numeric_limits<std::int32_t>::max()) {
+    throw Error("node numbers end at 2147483647; split the file");
+  }
+  return static_cast<std::int32_t>(number);
+}
+
+std::string display_name(const std::string& path) {
+  return path == "-" ? "standard input" : path;
+}
+
+Error located(const Points& points, const Error& error) {
+  std::string place = display_name(points.path);
+  if (!error.rows().empty()) {
+    place +=
+        fmt::format(": line {}",
+                    points.table.line_of(static_cast<std::size_t>(error.rows().front())));
+  }
+  return Error(fmt::format("{}: {}", place, error.what()),
+               std::vector<std::int64_t>(error.rows().begin(), error.rows().end()));
+}
+
+std::vector<tripack::Point2> plane_points(const Points& points) {
+  std::vector<tripack::Point2> result(points.table.x.size());
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = {points.table.x[i], points.table.y[i]};
+  return result;
+}
+
+std::vector<stripack::Direction> directions(const Points& points) {
+  std::vector<stripack::Direction> result;
+  result.reserve(points.table.x.size());
+  try {
+    for (std::size_t i = 0; i < points.table.x.size(); ++i) {
+      result.push_back(stripack::Direction::from({points.table.x[i], points.table.y[i]}));
+    }
+  } catch (const Error& error) {
+    throw located(points,
+                  Error(error.what(), {static_cast<std::int64_t>(result.size())}));
+  }
+  return result;
+}
+
+Triangulated triangulate(const Points& points, Reporter& reporter) {
+  return reporter.timed(Phase::build, [&]() -> Triangulated {
+    if (points.is_on_plane()) {
+      return build<tripack::Triangulation>(
+          points, std::span<const tripack::Point2>(plane_points(points)), reporter);
+    }
+    return build<stripack::Triangulation>(
+        points, std::span<const stripack::Direction>(directions(points)), reporter);
+  });
+}
+
+int dimension(const Triangulated& triangulated) {
+  return std::visit([](const auto& t) { return t->dimension(); }, triangulated);
+}
+
+}  // namespace delone::cli

@@ -1,0 +1,67 @@
+#include "interp/cursor.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delone::interp {
+
+namespace {
+
+using delaunay::KeyedRow;
+
+using delaunay::Buffer;
+using delaunay::CellScale;
+
+constexpr double cells = 65536;
+
+Buffer<KeyedRow> sorted(Buffer<KeyedRow> items) {
+  delaunay::sort_by_key(items);
+  return items;
+}
+
+bool is_finite(tripack::Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+// The sphere cut open from the south pole along four meridians and laid flat on a square,
+// which keeps neighbours together well enough for walking.
+std::pair<double, double> unfolded(const stripack::Direction& p) {
+  const double scale = 1 / (std::abs(p.x()) + std::abs(p.y()) + std::abs(p.z()));
+  const double u = p.x() * scale, v = p.y() * scale;
+  if (p.z() >= 0) return {u, v};
+  return {std::copysign(1 - std::abs(v), u), std::copysign(1 - std::abs(u), v)};
+}
+
+}  // namespace
+
+Buffer<KeyedRow> order_along_curve(std::span<const tripack::Point2> points) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  double low_x = inf, low_y = inf, high_x = -inf, high_y = -inf;
+  for (const tripack::Point2 p : points) {
+    if (!is_finite(p)) continue;
+    low_x = std::min(low_x, p.x), high_x = std::max(high_x, p.x);
+    low_y = std::min(low_y, p.y), high_y = std::max(high_y, p.y);
+  }
+  const CellScale x(low_x, high_x, cells), y(low_y, high_y, cells);
+  Buffer<KeyedRow> items(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool finite = is_finite(points[i]);
+    items[i] =
+        KeyedRow{finite ? delaunay::hilbert_key(x.cell(points[i].x), y.cell(points[i].y))
+                        : 0}
+            << 32 |
+        i;
+  }
+  return sorted(std::move(items));
+}
+
+Buffer<KeyedRow> order_along_curve(std::span<const stripack::Direction> points) {
+  const CellScale scale(-1, 1, cells);
+  Buffer<KeyedRow> items(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [u, v] = unfolded(points[i]);
+    items[i] = KeyedRow{delaunay::hilbert_key(scale.cell(u), scale.cell(v))} << 32 | i;
+  }
+  return sorted(std::move(items));
+}
+
+}  // namespace delone::interp

@@ -1,0 +1,308 @@
+// Piecewise linear surface of the sphere on a longitude-latitude grid, triangle by
+// triangle along rows.
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+#include <vector>
+
+#include "delaunay/parallel.hpp"
+#include "interp/circle_gaps.hpp"
+#include "interp/globe_table.hpp"
+#include "interp/sphere_cells.hpp"
+#include "interp/triangle_nodes.hpp"
+#include "stripack/great_circle.hpp"
+
+namespace delone::interp {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+// Along a row of latitude the side of an edge's plane, n . p, is a cosine of longitude
+// plus a constant: each edge leaves out an arc of the row around the meridian opposite to
+// its normal, and the triangle holds the gaps between these arcs: up to three, round the
+// date line or the pole, as it comes. Nodes near the end of a gap, where rounding could
+// tell the wrong side, are decided by the exact predicate.
+class SphereScan {
+ public:
+  SphereScan(const SphereCells& cells, const Grid& grid, std::vector<double>& out)
+      : cells_(cells),
+        points_(cells.triangulation().points()),
+        adjacency_(cells.triangulation().adjacency()),
+        table_(grid),
+        columns_per_radian_(table_.turn() / (2 * std::numbers::pi)),
+        first_lon_(std::fmod(table_.lon().position(0), table_.turn())),
+        out_(out) {}
+
+  void scan_triangles(Site first, Site last) {
+    for_each_triangle(adjacency_, first, last, [this](Arc a) { scan_triangle(a); });
+  }
+
+  void write_sites(Site first, Site last) {
+    for (Site s = first; s < last; ++s) {
+      const double z = points_[at(s)].z();
+      const IndexRange rows = table_.rows_between(z, z);
+      for (std::int64_t j = rows.begin; j < rows.end; ++j) write_site_in_row(s, j);
+    }
+  }
+
+  // Nodes outside the triangles, by walking along rows.
+  void continue_outside(std::int64_t first_row, std::int64_t last_row) {
+    Cursor cursor;
+    for (std::int64_t j = first_row; j < last_row; ++j) {
+      for (std::int64_t i = 0; i < table_.columns(); ++i) {
+        if (std::isnan(node(i, j))) node(i, j) = cells_.value(table_.node(i, j), cursor);
+      }
+    }
+  }
+
+  void write_poles() {
+    for (std::int64_t j = 0; j < table_.rows(); ++j) {
+      if (!table_.is_pole(j)) continue;
+      Cursor cursor;
+      const double value = cells_.value(table_.node(0, j), cursor);
+      for (std::int64_t i = 0; i < table_.columns(); ++i) node(i, j) = value;
+    }
+  }
+
+ private:
+  struct Edge {
+    double z_normal =
+        0;  // of the unit normal of the edge's plane, pointing into the triangle
+    double across = 0;  // length of its horizontal part
+    double center =
+        0;  // column of the meridian opposite to it, about which it leaves out nodes
+    double x_normal = 0, y_normal = 0;
+    double error = 0;            // of normal . p, p a unit vector
+    double top = 0, bottom = 0;  // sines of the latitudes that the edge spans
+  };
+  struct Triangle {
+    Arc arc;
+    std::array<Site, 3> corners;
+    std::array<Edge, 3> edges;
+    SphereFacet facet;
+    bool is_reached;
+  };
+
+  double& node(std::int64_t i, std::int64_t j) {
+    return out_[at(j * table_.columns() + i)];
+  }
+
+  Edge edge(const Direction& from, const Direction& to) const {
+    const Vector3 a = vector(from), b = vector(to), side = b - a;
+    const Vector3 upscaled =
+        (1 / largest_component(side)) * side;  // sides may be as short as 5e-324
+    const Vector3 normal = cross(a, upscaled);
+    const double size = length(normal);
+    if (!(size > 0))
+      return {.error = 1, .top = std::max(a.z, b.z), .bottom = std::min(a.z, b.z)};
+    Edge e{.z_normal = normal.z / size,
+           .across = std::sqrt(normal.x * normal.x + normal.y * normal.y) / size};
+    // Ends within some units in the last place may differ more in length than in
+    // direction.
+    e.error = 0x1p-48 * std::max(1.0, length(upscaled) / size);
+    e.x_normal = normal.x;
+    e.y_normal = normal.y;
+    std::tie(e.bottom, e.top) = std::minmax(a.z, b.z);
+    // The great circle's highest (lowest) point is on the arc if z rises (falls) from
+    // both ends.
+    const double bend = dot(side, side) / 2, from_a = side.z + bend * a.z,
+                 from_b = bend * b.z - side.z;
+    if (from_a > 0 && from_b > 0) e.top = std::max(e.top, e.across);
+    if (from_a < 0 && from_b < 0) e.bottom = std::min(e.bottom, -e.across);
+    return e;
+  }
+
+  void scan_triangle(Arc arc) {
+    const std::array<Site, 3> corners = adjacency_.left(arc);
+    const auto point = [&](std::size_t k) -> const Direction& {
+      return points_[at(corners[k])];
+    };
+    std::array<Edge, 3> edges{edge(point(0), point(1)), edge(point(1), point(2)),
+                              edge(point(2), point(0))};
+    const IndexRange rows = rows_of(edges);
+    if (rows.is_empty()) return;
+    for (Edge& e : edges)
+      e.center = first_lon_ + std::atan2(-e.y_normal, -e.x_normal) * columns_per_radian_;
+    const Triangle t{arc, corners, edges, cells_.facet(corners),
+                     cells_.reach().covers_triangle(corners)};
+    for (std::int64_t j = rows.begin; j < rows.end; ++j) scan_row(t, j);
+  }
+
+  IndexRange rows_of(const std::array<Edge, 3>& edges) const {
+    double top = std::max({edges[0].top, edges[1].top, edges[2].top});
+    double bottom = std::min({edges[0].bottom, edges[1].bottom, edges[2].bottom});
+    const auto all_normals = [&](auto test) {
+      return std::all_of(edges.begin(), edges.end(), test);
+    };
+    if (all_normals([](const Edge& e) { return e.z_normal > -e.error; }))
+      top = 1;  // holds the north pole
+    if (all_normals([](const Edge& e) { return e.z_normal < e.error; }))
+      bottom = -1;  // holds the south pole
+    return table_.rows_between(bottom, top);
+  }
+
+  // The part of a row that an edge leaves out, in columns; `slack` bounds the error of
+  // its ends.
+  struct LeftOut {
+    enum class Kind : std::uint8_t { nothing, arc, everything, unknown };
+    Kind kind = Kind::arc;
+    double half_width = 0, slack = 0;
+  };
+  LeftOut left_out(const Edge& e, std::int64_t j) const {
+    const double amplitude = e.across * table_.cos_lat(j),
+                 constant = e.z_normal * table_.sin_lat(j);
+    if (constant > amplitude + e.error) return {LeftOut::Kind::nothing};
+    if (constant < -amplitude - e.error) return {LeftOut::Kind::everything};
+    if (amplitude <= 2 * e.error) return {LeftOut::Kind::unknown};
+    // n . p < 0 where the cosine of the angle from the opposite meridian is above
+    // `cosine`
+    const double cosine = std::clamp(constant / amplitude, -1.0, 1.0),
+                 error = e.error / amplitude;
+    const double squared_sine = 1 - cosine * cosine;
+    const double slack = squared_sine > 0x1p-10
+                             ? 0x1p6 * error
+                             : 2 * error / std::sqrt(std::max(squared_sine, error));
+    return {LeftOut::Kind::arc, std::acos(cosine) * columns_per_radian_,
+            slack * columns_per_radian_ + table_.tolerance()};
+  }
+
+  void scan_row(const Triangle& t, std::int64_t j) {
+    CircleGaps gaps(table_.turn());
+    double slack = 0;
+    bool is_clear = true;
+    for (const Edge& e : t.edges) {
+      const LeftOut out = left_out(e, j);
+      if (out.kind == LeftOut::Kind::everything) return;
+      if (out.kind == LeftOut::Kind::unknown) is_clear = false;
+      if (out.kind != LeftOut::Kind::arc) continue;
+      gaps.exclude(e.center, out.half_width);
+      slack = std::max(slack, out.slack);
+    }
+    // Where the row runs along an edge (the equator, nodes around a pole) every node is
+    // doubtful.
+    const auto scan_columns = [&](IndexRange doubtful_left, IndexRange doubtful_right) {
+      if (!is_clear || doubtful_right.begin <= doubtful_left.end) {
+        return decide(t, {doubtful_left.begin, doubtful_right.end}, j);
+      }
+      decide(t, doubtful_left, j);
+      fill(t, {doubtful_left.end, doubtful_right.begin}, j);
+      decide(t, doubtful_right, j);
+    };
+    if (gaps.is_whole_circle())
+      return scan_columns({0, 0}, {table_.columns(), table_.columns()});
+    gaps.for_each_gap(2 * slack, [&](double begin, double end) {
+      table_.for_each_turn(begin, end, slack, [&](double shift) {
+        scan_columns(columns_between(begin + shift - slack, begin + shift + slack),
+                     columns_between(end + shift - slack, end + shift + slack));
+      });
+    });
+  }
+
+  IndexRange columns_between(double low, double high) const {
+    return {table_.lon().first_at(low), table_.lon().first_above(high)};
+  }
+
+  void fill(const Triangle& t, IndexRange columns, std::int64_t j) {
+    double* const row = &node(0, j);
+    if (t.facet.is_thin()) {
+      for (std::int64_t i = columns.begin; i < columns.end; ++i)
+        row[i] = t.facet(table_.vector(i, j));
+    } else {
+      fill_plainly(t.facet.plain(), columns, j);
+    }
+    if (t.is_reached) return;
+    for (std::int64_t i = columns.begin; i < columns.end; ++i) mask(t, i, j);
+  }
+
+  // `facet` is a copy that the stores cannot change: kept in registers.
+  void fill_plainly(PlainSphereFacet facet, IndexRange columns, std::int64_t j) {
+    double* const row = &node(0, j);
+    const double *const cosines = table_.cos_lon(), *const sines = table_.sin_lon();
+    const double across = table_.cos_lat(j), z = table_.sin_lat(j);
+    for (std::int64_t i = columns.begin; i < columns.end; ++i) {
+      row[i] = facet({across * cosines[i], across * sines[i], z});
+    }
+  }
+
+  void mask(const Triangle& t, std::int64_t i, std::int64_t j) {
+    if (!cells_.reach().covers(table_.node(i, j), t.corners[0])) node(i, j) = missing;
+  }
+
+  void decide(const Triangle& t, IndexRange columns, std::int64_t j) {
+    for (std::int64_t i = columns.begin; i < columns.end; ++i) decide_node(t, i, j);
+  }
+
+  void decide_node(const Triangle& t, std::int64_t i, std::int64_t j) {
+    const Direction p = table_.node(i, j);
+    const Holding held = holding(points_, t.corners, p);
+    if (held.kind == Holding::Kind::interior) {
+      node(i, j) = t.facet(vector(p));
+    } else if (held.kind == Holding::Kind::edge &&
+               owns_edge(adjacency_, t.arc, held.edge)) {
+      const Spot s = edge_spot(t.corners[held.edge], t.corners[(held.edge + 1) % 3]);
+      node(i, j) = cells_.edge_value(s.sites[0], s.sites[1], p);
+    } else {
+      return;
+    }
+    if (!t.is_reached) mask(t, i, j);
+  }
+
+  void write_site_in_row(Site s, std::int64_t j) {
+    const double position =
+        table_.lon().position(stripack::lonlat(points_[at(s)]).lon_deg);
+    // Longitudes lose their digits towards the poles; the comparison of directions
+    // decides.
+    const double slack =
+        table_.tolerance() + 0x1p-48 / table_.cos_lat(j) * columns_per_radian_;
+    table_.for_each_turn(position, position, slack, [&](double shift) {
+      const IndexRange columns =
+          columns_between(position + shift - slack, position + shift + slack);
+      for (std::int64_t i = columns.begin; i < columns.end; ++i) {
+        if (stripack::is_same_direction(table_.node(i, j), points_[at(s)]))
+          node(i, j) = cells_.site_value(s);
+      }
+    });
+  }
+
+  const SphereCells& cells_;
+  std::span<const Direction> points_;
+  const Adjacency& adjacency_;
+  GlobeTable table_;
+  double columns_per_radian_, first_lon_;
+  std::vector<double>& out_;
+};
+
+}  // namespace
+
+std::vector<double> scan(const SphereCells& cells, const Grid& grid,
+                         const RunOptions& run) {
+  check_globe(grid);
+  constexpr std::int64_t site_chunk = 1024, row_chunk = 16;
+  std::vector<double> out(at(grid.size()), missing);
+  SphereScan scan(cells, grid, out);
+  const Site num_sites = cells.triangulation().num_sites();
+  const bool has_triangles = cells.triangulation().dimension() == 2;
+  if (has_triangles) {
+    delaunay::parallel_chunks(num_sites, site_chunk, run,
+                              [&](std::int64_t first, std::int64_t last) {
+                                scan.scan_triangles(static_cast<Site>(first),
+                                                    static_cast<Site>(last));
+                              },
+                              {0, 0.8});
+    scan.write_sites(0, num_sites);
+  }
+  scan.write_poles();
+  if (!has_triangles || cells.options().outside != Outside::missing) {
+    delaunay::parallel_chunks(grid.y.size, row_chunk, run,
+                              [&](std::int64_t first, std::int64_t last) {
+                                scan.continue_outside(first, last);
+                              },
+                              {0.8, 1});
+  }
+  return out;
+}
+
+}  // namespace delone::interp
