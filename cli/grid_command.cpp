@@ -61,8 +61,15 @@ interp::Grid lay_grid(const Settings& settings, const Points& points,
   const auto num_sites =
       std::visit([](const auto& t) { return t->num_sites(); }, triangulated);
   const interp::Spacing spacing = choose_spacing(settings, points, region, num_sites);
-  return points.is_on_plane() ? interp::plane_grid(region, spacing)
-                              : interp::globe_grid(region, spacing);
+  // The ends of a region that was asked for are kept; one that was found is widened, so
+  // that nodes lie on multiples of the spacing wherever the data begin.
+  if (points.is_on_plane()) {
+    return interp::plane_grid(
+        settings.region ? region : interp::widened_plane_region(region, spacing),
+        spacing);
+  }
+  return interp::globe_grid(
+      settings.region ? region : interp::widened_globe_region(region, spacing), spacing);
 }
 
 /// A grid beyond memory is refused here: the system would grant it and kill the program

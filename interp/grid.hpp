@@ -97,8 +97,8 @@ struct NodeCounts {
 /// Throws Error for an empty or non-finite region, a spacing that is not positive, or
 /// more than 2^40 nodes.
 [[nodiscard]] Grid plane_grid(const Region& region, Spacing spacing);
-/// The same with given numbers of nodes, at least 2 each (1 where the region has no
-/// extent).
+/// The same with given numbers of nodes; a single one stands in the middle, and a region
+/// without extent gets a single one.
 [[nodiscard]] Grid plane_grid(const Region& region, NodeCounts counts);
 
 /// Nodes over a region of the globe in degrees, as plane_grid; a region that spans 360

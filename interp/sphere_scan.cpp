@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tuple>
+#include <optional>
 #include <vector>
 
 #include "delaunay/parallel.hpp"
 #include "interp/circle_gaps.hpp"
 #include "interp/globe_table.hpp"
 #include "interp/sphere_cells.hpp"
+#include "interp/sphere_edge.hpp"
 #include "interp/triangle_nodes.hpp"
 #include "stripack/great_circle.hpp"
 
@@ -68,118 +69,117 @@ class SphereScan {
   }
 
  private:
-  struct Edge {
-    double z_normal =
-        0;  // of the unit normal of the edge's plane, pointing into the triangle
-    double across = 0;  // length of its horizontal part
-    double center =
-        0;  // column of the meridian opposite to it, about which it leaves out nodes
-    double x_normal = 0, y_normal = 0;
-    double error = 0;            // of normal . p, p a unit vector
-    double top = 0, bottom = 0;  // sines of the latitudes that the edge spans
-  };
   struct Triangle {
     Arc arc;
     std::array<Site, 3> corners;
-    std::array<Edge, 3> edges;
+    std::array<SphereEdge, 3> edges;
     SphereFacet facet;
     bool is_reached;
+  };
+  // A span of positions in columns.
+  struct Span {
+    double low, high;
   };
 
   double& node(std::int64_t i, std::int64_t j) {
     return out_[at(j * table_.columns() + i)];
   }
 
-  Edge edge(const Direction& from, const Direction& to) const {
-    const Vector3 a = vector(from), b = vector(to), side = b - a;
-    const Vector3 upscaled =
-        (1 / largest_component(side)) * side;  // sides may be as short as 5e-324
-    const Vector3 normal = cross(a, upscaled);
-    const double size = length(normal);
-    if (!(size > 0))
-      return {.error = 1, .top = std::max(a.z, b.z), .bottom = std::min(a.z, b.z)};
-    Edge e{.z_normal = normal.z / size,
-           .across = std::sqrt(normal.x * normal.x + normal.y * normal.y) / size};
-    // Ends within some units in the last place may differ more in length than in
-    // direction.
-    e.error = 0x1p-48 * std::max(1.0, length(upscaled) / size);
-    e.x_normal = normal.x;
-    e.y_normal = normal.y;
-    std::tie(e.bottom, e.top) = std::minmax(a.z, b.z);
-    // The great circle's highest (lowest) point is on the arc if z rises (falls) from
-    // both ends.
-    const double bend = dot(side, side) / 2, from_a = side.z + bend * a.z,
-                 from_b = bend * b.z - side.z;
-    if (from_a > 0 && from_b > 0) e.top = std::max(e.top, e.across);
-    if (from_a < 0 && from_b < 0) e.bottom = std::min(e.bottom, -e.across);
-    return e;
-  }
-
   void scan_triangle(Arc arc) {
     const std::array<Site, 3> corners = adjacency_.left(arc);
-    const auto point = [&](std::size_t k) -> const Direction& {
-      return points_[at(corners[k])];
-    };
-    std::array<Edge, 3> edges{edge(point(0), point(1)), edge(point(1), point(2)),
-                              edge(point(2), point(0))};
+    const auto point = [&](std::size_t k) { return vector(points_[at(corners[k])]); };
+    std::array<SphereEdge, 3> edges{sphere_edge(point(0), point(1)),
+                                    sphere_edge(point(1), point(2)),
+                                    sphere_edge(point(2), point(0))};
     const IndexRange rows = rows_of(edges);
     if (rows.is_empty()) return;
-    for (Edge& e : edges)
-      e.center = first_lon_ + std::atan2(-e.y_normal, -e.x_normal) * columns_per_radian_;
-    const Triangle t{arc, corners, edges, cells_.facet(corners),
-                     cells_.reach().covers_triangle(corners)};
+    for (SphereEdge& e : edges) {
+      e.opposite =
+          first_lon_ + std::atan2(-e.y_normal, -e.x_normal) * columns_per_radian_;
+    }
+    Triangle t{arc, corners, edges, cells_.facet(corners),
+               cells_.reach().covers_triangle(corners)};
+    if (const std::optional<Span> span = narrow_span(t))
+      return scan_narrow(t, *span, rows);
     for (std::int64_t j = rows.begin; j < rows.end; ++j) scan_row(t, j);
   }
 
-  IndexRange rows_of(const std::array<Edge, 3>& edges) const {
-    double top = std::max({edges[0].top, edges[1].top, edges[2].top});
-    double bottom = std::min({edges[0].bottom, edges[1].bottom, edges[2].bottom});
-    const auto all_normals = [&](auto test) {
-      return std::all_of(edges.begin(), edges.end(), test);
-    };
-    if (all_normals([](const Edge& e) { return e.z_normal > -e.error; }))
-      top = 1;  // holds the north pole
-    if (all_normals([](const Edge& e) { return e.z_normal < e.error; }))
-      bottom = -1;  // holds the south pole
-    return table_.rows_between(bottom, top);
+  IndexRange rows_of(const std::array<SphereEdge, 3>& edges) const {
+    const bool is_northern = may_hold_pole(edges, 1),
+               is_southern = may_hold_pole(edges, -1);
+    return table_.rows_between(
+        is_southern ? -1 : std::min({edges[0].bottom, edges[1].bottom, edges[2].bottom}),
+        is_northern ? 1 : std::max({edges[0].top, edges[1].top, edges[2].top}));
   }
 
-  // The part of a row that an edge leaves out, in columns; `slack` bounds the error of
-  // its ends.
-  struct LeftOut {
-    enum class Kind : std::uint8_t { nothing, arc, everything, unknown };
-    Kind kind = Kind::arc;
-    double half_width = 0, slack = 0;
-  };
-  LeftOut left_out(const Edge& e, std::int64_t j) const {
-    const double amplitude = e.across * table_.cos_lat(j),
-                 constant = e.z_normal * table_.sin_lat(j);
-    if (constant > amplitude + e.error) return {LeftOut::Kind::nothing};
-    if (constant < -amplitude - e.error) return {LeftOut::Kind::everything};
-    if (amplitude <= 2 * e.error) return {LeftOut::Kind::unknown};
-    // n . p < 0 where the cosine of the angle from the opposite meridian is above
-    // `cosine`
-    const double cosine = std::clamp(constant / amplitude, -1.0, 1.0),
-                 error = e.error / amplitude;
-    const double squared_sine = 1 - cosine * cosine;
-    const double slack = squared_sine > 0x1p-10
-                             ? 0x1p6 * error
-                             : 2 * error / std::sqrt(std::max(squared_sine, error));
-    return {LeftOut::Kind::arc, std::acos(cosine) * columns_per_radian_,
-            slack * columns_per_radian_ + table_.tolerance()};
+  // Positions between which the triangle lies, if they are few and no pole is near. A
+  // point as far as d from another whose distance from the axis is r differs from it in
+  // longitude by at most asin(d / r) <= pi / 2 d / r.
+  std::optional<Span> narrow_span(const Triangle& t) const {
+    if (may_hold_pole(t.edges, 1) || may_hold_pole(t.edges, -1)) return {};
+    const auto point = [&](std::size_t k) { return vector(points_[at(t.corners[k])]); };
+    const Vector3 a = point(0), u = point(1) - a, w = point(2) - a;
+    const double reach = std::max(dot(u, u), dot(w, w)) / (a.x * a.x + a.y * a.y);
+    if (!(reach < 0.04)) return {};
+    const double column = first_lon_ + std::atan2(a.y, a.x) * columns_per_radian_;
+    const double width =
+        std::numbers::pi / 2 * std::sqrt(reach) * columns_per_radian_ + 1;
+    return Span{column - width, column + width};
+  }
+
+  void scan_narrow(Triangle& t, Span span, IndexRange rows) {
+    const double turn = table_.turn();
+    table_.for_each_turn(span.low, span.high, 0, [&](double shift) {
+      const Span shifted{span.low + shift, span.high + shift};
+      for (SphereEdge& e : t.edges) {  // the copy that is nearest to the triangle
+        while (e.opposite < shifted.low - turn / 2) e.opposite += turn;
+        while (e.opposite > shifted.low + turn / 2) e.opposite -= turn;
+      }
+      for (std::int64_t j = rows.begin; j < rows.end; ++j) scan_narrow_row(t, shifted, j);
+    });
+  }
+
+  // Near a narrow triangle only one end of the arc that an edge leaves out matters (or
+  // none), so that the row's nodes are those between the largest low end and the smallest
+  // high one. Where an edge bulges across the row and where nodes are in doubt, scan_row
+  // sorts it out.
+  void scan_narrow_row(const Triangle& t, Span span, std::int64_t j) {
+    double slack = table_.tolerance(), low = span.low, high = span.high;
+    for (const SphereEdge& e : t.edges) {
+      const LeftOut out = left_out(e, table_.cos_lat(j), table_.sin_lat(j));
+      if (out.kind == LeftOut::Kind::everything) return;
+      if (out.kind == LeftOut::Kind::unknown) return scan_row(t, j);
+      if (out.kind == LeftOut::Kind::nothing) continue;
+      const double half_width = out.half_width * columns_per_radian_;
+      const double begin = e.opposite - half_width, end = e.opposite + half_width;
+      if (begin > span.low && end < span.high) return scan_row(t, j);
+      // The arc's next copies lie a turn away.
+      low = std::max(low, begin <= span.low ? end : end - table_.turn());
+      high = std::min(high, begin <= span.low ? begin + table_.turn() : begin);
+      slack = std::max(slack, out.slack * columns_per_radian_ + table_.tolerance());
+    }
+    const AxisTable& lon = table_.lon();
+    const std::int64_t begin = lon.first_at(low + slack),
+                       end = lon.first_at(high - slack);
+    const bool is_doubtful_left =
+        begin > 0 && static_cast<double>(begin - 1) >= low - slack;
+    const bool is_doubtful_right =
+        end < lon.size() && static_cast<double>(end) <= high + slack;
+    if (is_doubtful_left || is_doubtful_right || slack > 0.25) return scan_row(t, j);
+    if (begin < end) fill(t, {begin, end}, j);
   }
 
   void scan_row(const Triangle& t, std::int64_t j) {
     CircleGaps gaps(table_.turn());
     double slack = 0;
     bool is_clear = true;
-    for (const Edge& e : t.edges) {
-      const LeftOut out = left_out(e, j);
+    for (const SphereEdge& e : t.edges) {
+      const LeftOut out = left_out(e, table_.cos_lat(j), table_.sin_lat(j));
       if (out.kind == LeftOut::Kind::everything) return;
       if (out.kind == LeftOut::Kind::unknown) is_clear = false;
       if (out.kind != LeftOut::Kind::arc) continue;
-      gaps.exclude(e.center, out.half_width);
-      slack = std::max(slack, out.slack);
+      gaps.exclude(e.opposite, out.half_width * columns_per_radian_);
+      slack = std::max(slack, out.slack * columns_per_radian_ + table_.tolerance());
     }
     // Where the row runs along an edge (the equator, nodes around a pole) every node is
     // doubtful.
