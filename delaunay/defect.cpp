@@ -223,8 +223,7 @@ GluedTriangles glue(std::span<const Triple> triangles, std::span<const Node> row
     is_boundary.push_back(fan.is_boundary);
     begin = end;
   }
-  return {Adjacency(offsets, neighbors, is_boundary),
-          {}};
+  return {Adjacency(offsets, neighbors, is_boundary), {}};
 }
 
 }  // namespace delone::delaunay
