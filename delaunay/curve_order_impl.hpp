@@ -8,20 +8,25 @@
 
 namespace delone::delaunay {
 
-/// Spreads an interval over integer cells 0 .. num_cells - 1, its ends in the first and
-/// the last.
+/// Half the length of an interval, or all of it where halves underflow. Never overflows.
+[[nodiscard]] inline double half_extent(double low, double high) noexcept {
+  const double half = high / 2 - low / 2;
+  return half >= 0x1p-1000 ? half : high - low;
+}
+
+/// Spreads an interval of length 2 `half` from `low` on over integer cells 0 .. num_cells
+/// - 1, its ends in different cells. A square takes the same `half` for both coordinates:
+/// cells must be square, or neighbours on the curve are no neighbours in space.
 ///
 /// Coordinates are first scaled by a power of two, so that neither the difference of the
 /// ends overflows (+-1e308) nor its inverse (denormal extents).
 class CellScale {
  public:
-  CellScale(double low, double high, double num_cells) : last_(num_cells - 1) {
-    const double half = high / 2 - low / 2;
-    if (!(high > low)) return;
-    power_ = std::ldexp(
-        1.0, std::clamp(-std::ilogb(half > 0 ? half : high - low), -1000, 1000));
+  CellScale(double low, double half, double num_cells) : last_(num_cells - 1) {
+    if (!(half > 0)) return;
+    power_ = std::ldexp(1.0, std::clamp(-std::ilogb(half), -1000, 1000));
     low_ = low * power_;
-    scale_ = num_cells / (high * power_ - low_);
+    scale_ = num_cells / (2 * (half * power_));  // 2 half may overflow
   }
   [[nodiscard]] std::uint32_t cell(double v) const noexcept {
     const double t = (v * power_ - low_) * scale_;
@@ -78,7 +83,9 @@ class SiteOrderBuilder {
       high = {std::max(high[0], p[0]), std::max(high[1], p[1])};
     }
     if (low == high) return false;
-    const CellScale u(low[0], high[0], 65536), v(low[1], high[1], 65536);
+    const double half =
+        std::max(half_extent(low[0], high[0]), half_extent(low[1], high[1]));
+    const CellScale u(low[0], half, 65536), v(low[1], half, 65536);
     for (KeyedRow& item : run) {
       const Chart p = chart_(row_of(item));
       const std::uint32_t key = hilbert_key(u.cell(p[0]), v.cell(p[1]));

@@ -41,7 +41,9 @@ Buffer<KeyedRow> order_along_curve(std::span<const tripack::Point2> points) {
     low_x = std::min(low_x, p.x), high_x = std::max(high_x, p.x);
     low_y = std::min(low_y, p.y), high_y = std::max(high_y, p.y);
   }
-  const CellScale x(low_x, high_x, cells), y(low_y, high_y, cells);
+  const double half = std::max(delaunay::half_extent(low_x, high_x),
+                               delaunay::half_extent(low_y, high_y));
+  const CellScale x(low_x, half, cells), y(low_y, half, cells);
   Buffer<KeyedRow> items(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool finite = is_finite(points[i]);

@@ -59,8 +59,9 @@ struct WholeChart {
 delaunay::SiteOrder order_sites(std::span<const Point2> points) {
   constexpr double cells = 65536;
   const Box box = bounding_box(points);
-  const delaunay::CellScale x(box.low_x, box.high_x, cells),
-      y(box.low_y, box.high_y, cells);
+  const double half = std::max(delaunay::half_extent(box.low_x, box.high_x),
+                               delaunay::half_extent(box.low_y, box.high_y));
+  const delaunay::CellScale x(box.low_x, half, cells), y(box.low_y, half, cells);
   delaunay::Buffer<KeyedRow> items(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     items[i] = KeyedRow{delaunay::hilbert_key(x.cell(points[i].x), y.cell(points[i].y))}
