@@ -62,13 +62,14 @@ template <class ChartOf, class Compare>
 [[nodiscard]] SiteOrder site_order(Buffer<KeyedRow>& items, ChartOf chart,
                                    Compare compare);
 
+/// Sites that are inserted together, and whose faces therefore lie together in memory.
+inline constexpr Site insertion_block = 4096;
+
 /// The order in which sites numbered along a curve are inserted: first every 8^k-th of
 /// the whole curve, k falling, then blocks of 4096 neighbours with strides 512, 64, 8, 1.
 /// Each new site then falls among settled ones (few flips), near the last one (short
 /// walk, warm cache), and no order of the input makes it slow. Calls `f(site)` once a
 /// site.
-inline constexpr Site insertion_block = 4096;
-
 template <class F>
 void for_each_in_insertion_order(Site num_sites, F f) {
   constexpr std::int64_t block = insertion_block, ratio = 8;
