@@ -8,9 +8,14 @@
 
 #include "cli/output.hpp"
 #include "cli/points.hpp"
+#include "io/output_file.hpp"
 #include "io/triangle_file.hpp"
 #include "stripack/defect.hpp"
+#include "stripack/hash.hpp"
+#include "stripack/predicates.hpp"
 #include "tripack/defect.hpp"
+#include "tripack/hash.hpp"
+#include "tripack/predicates.hpp"
 
 namespace delone::cli {
 namespace {
@@ -20,61 +25,134 @@ struct Settings {
   std::string triangles;
 };
 
-/// The triangles in kept rows instead of data rows, or the first triangle that uses a
-/// dropped row.
-struct KeptTriangles {
-  std::vector<io::Triangle> triangles;
-  std::optional<std::string> defect;
+/// From data rows to kept rows.
+class KeptRows {
+ public:
+  explicit KeptRows(const io::PointTable& table) {
+    for (std::size_t i = 0; i < table.x.size(); ++i)
+      kept_.emplace(table.row_of(i), static_cast<std::int32_t>(i));
+  }
+  /// Replaces data rows by kept rows; the first row that has none, which stops it.
+  [[nodiscard]] std::optional<std::int32_t> replace(std::span<std::int32_t> rows) const {
+    for (std::int32_t& row : rows) {
+      const auto found = kept_.find(row);
+      if (found == kept_.end()) return row;
+      row = found->second;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::unordered_map<std::int64_t, std::int32_t> kept_;
 };
 
-KeptTriangles in_kept_rows(const io::PointTable& table,
-                           std::vector<io::Triangle> triangles) {
-  if (table.row.empty()) return {std::move(triangles), {}};
-  std::unordered_map<std::int64_t, std::int32_t> kept;
-  for (std::size_t i = 0; i < table.row.size(); ++i) {
-    kept.emplace(table.row[i], static_cast<std::int32_t>(i));
+/// Programs differ in the orientation of their triangles, and some mix both. Which way
+/// round corners are listed says nothing about which triangle is meant.
+template <class Point>
+void turn_counter_clockwise(const std::vector<Point>& points,
+                            std::vector<io::Triangle>& triangles) {
+  for (io::Triangle& t : triangles) {
+    const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(t[k])]; };
+    if (orientation(at(0), at(1), at(2)) < 0) std::swap(t[1], t[2]);
   }
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (std::int32_t& corner : triangles[i]) {
-      const auto found = kept.find(corner);
-      if (found == kept.end()) {
-        return {{},
-                fmt::format("triangle {} uses row {}, which has no position", i, corner)};
-      }
-      corner = found->second;
-    }
-  }
-  return {std::move(triangles), {}};
 }
 
 std::optional<std::string> find_defect(const Points& points,
-                                       const std::vector<io::Triangle>& triangles) {
-  if (points.is_on_plane()) return tripack::find_defect(plane_points(points), triangles);
-  return stripack::find_defect(directions(points), triangles);
+                                       std::vector<io::Triangle> triangles) {
+  const auto over = [&](const auto& positions) {
+    turn_counter_clockwise(positions, triangles);
+    return find_defect(std::span(positions), triangles);
+  };
+  return points.is_on_plane() ? over(plane_points(points)) : over(directions(points));
 }
 
-std::optional<std::string> find_defect_of_file(const Points& points,
-                                               io::TriangleFile file) {
-  KeptTriangles kept = in_kept_rows(points.table, std::move(file.triangles));
-  if (kept.defect) return kept.defect;
-  auto defect = blaming(points, [&] { return find_defect(points, kept.triangles); });
-  if (defect && !points.table.row.empty())
+std::optional<std::string> find_defect(const Points& points,
+                                       const delaunay::NeighborRings& rings) {
+  const auto over = [&](const auto& positions) {
+    return find_defect(std::span(positions), rings);
+  };
+  return points.is_on_plane() ? over(plane_points(points)) : over(directions(points));
+}
+
+using Defect = std::optional<std::string>;
+
+Defect find_defect_of_triangles(const Points& points,
+                                std::vector<io::Triangle> triangles) {
+  const KeptRows kept(points.table);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (const auto row = kept.replace(triangles[i]))
+      return fmt::format("triangle {} uses row {}, which has no position", i, *row);
+  }
+  return find_defect(points, std::move(triangles));
+}
+
+Defect find_defect_of_rings(const Points& points, const delaunay::NeighborRings& rings) {
+  const KeptRows kept(points.table);
+  delaunay::NeighborRings kept_rings;
+  for (std::size_t i = 0; i < points.table.x.size(); ++i) {
+    const auto row = static_cast<std::size_t>(points.table.row_of(i));
+    auto& ring = kept_rings.emplace_back(rings.at(row));
+    if (const auto bad = kept.replace(ring))
+      return fmt::format("row {} has the neighbour {}, which has no position", row, *bad);
+  }
+  return find_defect(points, kept_rings);
+}
+
+/// What a file holds, and what is wrong with it.
+struct Verdict {
+  std::string holding;
+  Defect defect;
+  std::string hash{};  ///< of triangles without a defect
+};
+
+std::string hash_of(const Points& points, std::vector<io::Triangle> triangles) {
+  const KeptRows kept(points.table);
+  for (io::Triangle& t : triangles) static_cast<void>(kept.replace(t));
+  return delaunay::to_string(
+      points.is_on_plane() ? tripack::hash_of_positions(plane_points(points), triangles)
+                           : stripack::hash_of_positions(directions(points), triangles));
+}
+
+template <class Find>
+Defect numbered_defect(const Points& points, Find find) {
+  auto defect = blaming(points, find);
+  if (defect && points.size() != points.table.num_rows)
     *defect += " (rows counted without the dropped ones)";
   return defect;
+}
+
+Verdict judge(const Settings& settings, const Points& points, Reporter& reporter) {
+  const std::string format = io::file_format(settings.triangles);
+  const std::int64_t num_rows = points.table.num_rows;
+  if (format == "adj" || format == "renka") {
+    const auto file = reporter.timed(
+        Phase::read, [&] { return io::read_rings(settings.triangles, num_rows); });
+    return reporter.timed(Phase::evaluate, [&]() -> Verdict {
+      return {"lists of neighbours", numbered_defect(points, [&] {
+                return find_defect_of_rings(points, file.rings);
+              })};
+    });
+  }
+  auto file = reporter.timed(
+      Phase::read, [&] { return io::read_triangles(settings.triangles, num_rows); });
+  const auto num_triangles = static_cast<std::int64_t>(file.triangles.size());
+  return reporter.timed(Phase::evaluate, [&]() -> Verdict {
+    Verdict verdict{counted(num_triangles, "triangle"), numbered_defect(points, [&] {
+                      return find_defect_of_triangles(points, file.triangles);
+                    })};
+    if (!verdict.defect) verdict.hash = hash_of(points, std::move(file.triangles));
+    return verdict;
+  });
 }
 
 ExitCode run(const Settings& settings, Reporter& reporter) {
   check_inputs(settings.points.path, settings.triangles);
   const Points points = read_points(settings.points, reporter);
-  auto file = reporter.timed(Phase::read, [&] {
-    return io::read_triangles(settings.triangles, points.table.num_rows);
-  });
-  const auto num_triangles = static_cast<std::int64_t>(file.triangles.size());
-  const auto defect = reporter.timed(
-      Phase::evaluate, [&] { return find_defect_of_file(points, std::move(file)); });
+  const auto [holding, defect, hash] = judge(settings, points, reporter);
   if (!defect) {
-    print(fmt::format("Delaunay: {} over {}\n", counted(num_triangles, "triangle"),
-                      counted(points.size(), "point")));
+    print(
+        fmt::format("Delaunay: {} over {}\n", holding, counted(points.size(), "point")));
+    if (!hash.empty()) print(fmt::format("hash: {}\n", hash));
     return ExitCode::done;
   }
   print(fmt::format("not Delaunay: {}\n", *defect));
@@ -91,7 +169,10 @@ Command add_check_command(CLI::App& program) {
       "check", "Is this a Delaunay triangulation of these points?");
   const auto settings = std::make_shared<Settings>();
   add_point_options(app, settings->points, Values::ignored);
-  app.add_option("TRIANGLES", settings->triangles, "A .tri or .ele file")
+  app.add_option(
+         "TRIANGLES", settings->triangles,
+         "A .tri, .ele, .adj, .renka, .off, .ply, .vtu or UGRID .nc file, or what "
+         "Qhull's options i and Fv print")
       ->required()
       ->type_name("");
   app.footer(

@@ -7,7 +7,9 @@
 
 #include "cli/output.hpp"
 #include "cli/points.hpp"
+#include "stripack/hash.hpp"
 #include "stripack/measures.hpp"
+#include "tripack/hash.hpp"
 #include "tripack/measures.hpp"
 
 namespace delone::cli {
@@ -84,6 +86,7 @@ void add_facts_of_mesh(std::vector<Fact>& facts, const Points& points,
         facts.push_back(
             number("hull_nodes", "nodes on the hull", std::ssize(t->boundary())));
         facts.push_back(number("triangles", "triangles", t->num_triangles()));
+        facts.push_back(word("hash", "hash", delaunay::to_string(hash_of_positions(*t))));
       },
       triangulated);
   if (dimension(triangulated) < 2) return;
@@ -133,7 +136,8 @@ Command add_info_command(CLI::App& program) {
   app.add_flag("--json", settings->is_json, "One JSON object instead of text");
   app.footer(
       "Rows, dropped rows, extent, repeated positions, hull, triangles and their "
-      "quality.\n\n"
+      "quality. The hash is the same for\n"
+      "the same positions in any order, and differs for different ones.\n\n"
       "Example:\n  delone info stations.csv");
   return {&app, [settings](Reporter& reporter) { return run(*settings, reporter); }};
 }

@@ -2,18 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <memory>
 
 #include "cli/output.hpp"
 #include "cli/queries.hpp"
 #include "io/output_file.hpp"
+#include "stripack/locate_batch.hpp"
+#include "tripack/locate_batch.hpp"
 
 namespace delone::cli {
 namespace {
-
-using Triangle = std::array<std::int32_t, 3>;
 
 struct Settings {
   PointSettings points;
@@ -21,39 +19,12 @@ struct Settings {
   std::string output = "/dev/stdout";
 };
 
-/// The place of the triangle on the left of `arc` in the sorted list that `triangulate`
-/// writes.
-template <class Triangulation>
-std::int64_t triangle_number(const Triangulation& t,
-                             const std::vector<Triangle>& triangles, delaunay::Arc arc) {
-  Triangle corners = t.adjacency().left(arc);
-  for (std::int32_t& corner : corners)
-    corner = t.rows()[static_cast<std::size_t>(corner)];
-  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
-  return std::ranges::lower_bound(triangles, corners) - triangles.begin();
-}
-
-template <class Triangulation, class Point>
-std::vector<std::int64_t> locate_all(const Triangulation& t,
-                                     const std::vector<Point>& queries) {
-  std::vector<std::int64_t> result(queries.size(), -1);
-  if (t.dimension() < 2) return result;
-  const std::vector<Triangle> triangles = t.triangles();
-  delaunay::Arc arc;
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    // From the last hit: queries that follow a track are a step or two apart.
-    arc = t.find(queries[i], arc);
-    if (t.adjacency().has_left(arc)) result[i] = triangle_number(t, triangles, arc);
-  }
-  return result;
-}
-
-std::vector<std::int64_t> locate_all(const Triangulated& triangulated,
-                                     const Points& queries) {
-  if (const auto* plane = std::get_if<PlaneTriangulation>(&triangulated)) {
-    return locate_all(**plane, plane_points(queries));
-  }
-  return locate_all(*std::get<GlobeTriangulation>(triangulated), directions(queries));
+std::vector<std::int32_t> locate_all(const Triangulated& triangulated,
+                                     const Points& queries, const RunOptions& options) {
+  if (const auto* plane = std::get_if<PlaneTriangulation>(&triangulated))
+    return tripack::locate_triangles(**plane, plane_points(queries), options);
+  return stripack::locate_triangles(*std::get<GlobeTriangulation>(triangulated),
+                                    directions(queries), options);
 }
 
 ExitCode run(const Settings& settings, Reporter& reporter) {
@@ -63,8 +34,9 @@ ExitCode run(const Settings& settings, Reporter& reporter) {
   const Points queries =
       read_queries(settings.queries, settings.points, points, reporter);
   const Triangulated triangulated = triangulate(points, reporter);
-  const auto located =
-      reporter.timed(Phase::evaluate, [&] { return locate_all(triangulated, queries); });
+  const auto located = reporter.timed(Phase::evaluate, [&] {
+    return locate_all(triangulated, queries, reporter.run_options("locating"));
+  });
   reporter.timed(Phase::write, [&] {
     const auto append = [&](fmt::memory_buffer& buffer, std::size_t i) {
       fmt::format_to(std::back_inserter(buffer), ",{}", located[i]);
@@ -88,7 +60,9 @@ Command add_locate_command(CLI::App& program) {
   app.footer(
       "Triangles are counted from 0 in the order in which `delone triangulate` writes "
       "them; -1 is\n"
-      "outside. A query on an edge or a node belongs to one of the triangles there.\n\n"
+      "outside. A query on an edge or a node belongs to one of the triangles there, "
+      "always "
+      "the same.\n\n"
       "Example:\n  delone locate stations.csv cities.csv -o cities_triangle.csv");
   return {&app, [settings](Reporter& reporter) { return run(*settings, reporter); }};
 }

@@ -55,6 +55,11 @@ void add_point_options(CLI::App& app, PointSettings& settings, Values values) {
   add_choice<interp::Duplicates>(
       app, "--duplicates", settings.duplicates, duplicates_choices(),
       "Rows at one position: mean (default), first, last, median, min, max, error");
+  app.add_option("--merge-within", settings.merge_within,
+                 "Move points at most D apart to one position (unit of x and y, on the "
+                 "globe km)")
+      ->type_name("D")
+      ->check(refuse_negative);
   settings.columns.needs_value = values == Values::needed;
 }
 
@@ -88,6 +93,12 @@ std::vector<double> parse_numbers(std::string_view option, std::string_view text
                                  count_of_numbers(least, most)));
   }
   return numbers;
+}
+
+std::string refuse_negative(const std::string& text) {
+  const auto number = parse_number(text);
+  if (!number) return fmt::format("'{}' is not a number", text);
+  return *number < 0 ? fmt::format("{} is below 0", text) : std::string();
 }
 
 std::array<std::int64_t, 2> parse_counts(std::string_view option, std::string_view text) {

@@ -27,7 +27,8 @@ struct Command {
 
 /// --quiet, --threads, --timings.
 void add_run_options(CLI::App& app, RunSettings& settings);
-/// The positional POINTS and --x, --y, --value, --on, --skip-bad-rows, --duplicates.
+/// The positional POINTS and --x, --y, --value, --on, --skip-bad-rows, --duplicates,
+/// --merge-within.
 void add_point_options(CLI::App& app, PointSettings& settings, Values values);
 /// -o and --format, with `formats` named in the help.
 void add_output_options(CLI::App& app, OutputSettings& settings,
@@ -37,6 +38,9 @@ void add_output_options(CLI::App& app, OutputSettings& settings,
 [[nodiscard]] std::vector<double> parse_numbers(std::string_view option,
                                                 std::string_view text, std::size_t least,
                                                 std::size_t most);
+
+/// For CLI::Option::check: what is wrong with a distance, empty if nothing.
+[[nodiscard]] std::string refuse_negative(const std::string& text);
 
 /// The two whole numbers of "20/10"; throws UsageError unless both are positive.
 [[nodiscard]] std::array<std::int64_t, 2> parse_counts(std::string_view option,

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "cli/output.hpp"
+#include "stripack/merge_near.hpp"
+#include "tripack/merge_near.hpp"
 
 namespace delone::cli {
 namespace {
@@ -70,9 +72,39 @@ std::shared_ptr<const Triangulation> build(const Points& points,
   });
 }
 
+delaunay::MergedRows find_near(const Points& points, double distance) {
+  if (points.is_on_plane()) return tripack::merge_near(plane_points(points), distance);
+  const auto positions = directions(points);
+  if (points.domain == Domain::ellipsoid)
+    return stripack::merge_near_wgs84(positions, distance);
+  return stripack::merge_near(positions, distance / stripack::earth_radius_km);
+}
+
+/// Moves every point to the one that stands for it; from then on they are repeats.
+void merge_near(Points& points, double distance, const Reporter& reporter) {
+  const auto merged = blaming(points, [&] { return find_near(points, distance); });
+  io::PointTable& table = points.table;
+  std::int64_t num_moved = 0;
+  const std::vector<double> x = table.x, y = table.y;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto to = static_cast<std::size_t>(merged.stands_for[i]);
+    if (x[i] != x[to] || y[i] != y[to]) ++num_moved;
+    table.x[i] = x[to];
+    table.y[i] = y[to];
+  }
+  reporter.say("{} moved to another within {}{} (--merge-within): {} left",
+               counted(num_moved, "point"), distance, points.is_on_plane() ? "" : " km",
+               counted(merged.num_kept, "position"));
+}
+
 }  // namespace
 
 Points read_points(const PointSettings& settings, Reporter& reporter) {
+  if (settings.path.ends_with(".poly"))
+    throw Error(
+        settings.path +
+        ": segments are for `delone triangulate`; give a .node file or a table of "
+        "points here");
   Points points{settings.path, {}, Domain::plane, settings.duplicates};
   points.table = reporter.timed(
       Phase::read, [&] { return io::read_table(settings.path, settings.columns); });
@@ -80,6 +112,7 @@ Points read_points(const PointSettings& settings, Reporter& reporter) {
       settings.domain.value_or(points.table.is_lonlat ? Domain::sphere : Domain::plane);
   reporter.count_points(points.size());
   say_columns(points, reporter);
+  if (settings.merge_within) merge_near(points, *settings.merge_within, reporter);
   return points;
 }
 

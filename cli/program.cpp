@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cli/block_command.hpp"
 #include "cli/check_command.hpp"
 #include "cli/grid_command.hpp"
 #include "cli/hull_command.hpp"
@@ -20,16 +21,18 @@
 #include "cli/sample_command.hpp"
 #include "cli/signals.hpp"
 #include "cli/triangulate_command.hpp"
+#include "cli/voronoi_command.hpp"
 
 namespace delone::cli {
 namespace {
 
 std::vector<Command> add_commands(CLI::App& program) {
   return {add_grid_command(program),        add_sample_command(program),
-          add_triangulate_command(program), add_hull_command(program),
-          add_locate_command(program),      add_nearest_command(program),
-          add_check_command(program),       add_info_command(program),
-          add_plot_command(program)};
+          add_triangulate_command(program), add_voronoi_command(program),
+          add_hull_command(program),        add_locate_command(program),
+          add_nearest_command(program),     add_check_command(program),
+          add_info_command(program),        add_plot_command(program),
+          add_block_command(program)};
 }
 
 /// The subcommand asked for, with its options filled in.

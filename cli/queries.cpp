@@ -55,6 +55,8 @@ Points read_queries(const QuerySettings& settings, const PointSettings& point_se
   query_settings.domain = points.domain;
   query_settings.columns.x = settings.x;
   query_settings.columns.y = settings.y;
+  query_settings.columns.x_option = "--query-x";
+  query_settings.columns.y_option = "--query-y";
   query_settings.columns.needs_value = false;
   query_settings.columns.keep_text = true;
   query_settings.columns.skip_bad_rows = point_settings.columns.skip_bad_rows;

@@ -29,6 +29,8 @@ struct PointSettings {
   io::TableOptions columns;
   std::optional<Domain> domain;  ///< empty: by the names of the columns
   interp::Duplicates duplicates = interp::Duplicates::mean;
+  /// Points this near one another become one: data units, on the globe kilometres.
+  std::optional<double> merge_within;
 };
 
 /// Where a result goes.

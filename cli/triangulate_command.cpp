@@ -2,85 +2,92 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 #include <memory>
 
+#include "cli/constraints.hpp"
 #include "cli/output.hpp"
 #include "cli/points.hpp"
-#include "io/triangle_file.hpp"
+#include "cli/triangle_output.hpp"
 
 namespace delone::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Settings {
   PointSettings points;
-  OutputSettings output;
-  int base = 0;
-  bool is_canonical = false;  // every output is; the flag says that a script relies on it
-  bool writes_neighbors = false;
+  ConstraintSettings constraints;
+  TriangleOutput output;
 };
-
-std::vector<io::Triangle> numbered_triangles(const Points& points,
-                                             const Triangulated& triangulated) {
-  auto triangles = std::visit([](const auto& t) { return t->triangles(); }, triangulated);
-  if (points.table.row.empty()) return triangles;
-  for (io::Triangle& triangle : triangles) {
-    for (std::int32_t& corner : triangle) corner = node_number(points.table, corner);
-  }
-  return triangles;
-}
-
-struct NeighborLists {
-  std::vector<std::int32_t> nodes;
-  std::vector<std::vector<std::int32_t>> lists;
-};
-
-NeighborLists neighbor_lists(const Points& points, const Triangulated& triangulated) {
-  NeighborLists result;
-  const auto collect = [&](const auto& t) {
-    for (std::int32_t row = 0; row < t->num_rows(); ++row) {
-      const auto site =
-          static_cast<std::size_t>(t->sites()[static_cast<std::size_t>(row)]);
-      if (t->rows()[site] != row)
-        continue;  // a repeat: its first row answers for the position
-      result.nodes.push_back(node_number(points.table, row));
-      auto& list = result.lists.emplace_back(t->neighbors(row));
-      for (std::int32_t& node : list) node = node_number(points.table, node);
-    }
-  };
-  std::visit(collect, triangulated);
-  return result;
-}
 
 void write(const Settings& settings, const std::string& format, const Points& points,
            const Triangulated& triangulated) {
-  const std::string& path = settings.output.path;
-  if (format == "adj") {
-    const NeighborLists neighbors = neighbor_lists(points, triangulated);
-    io::write_adj(path, neighbors.nodes, neighbors.lists, settings.base);
+  const auto triangles = numbered_triangles(
+      points, std::visit([](const auto& t) { return t->triangles(); }, triangulated));
+  const auto file_base =
+      points.table.is_node_file ? std::optional(points.table.base) : std::nullopt;
+  write_triangulation(settings.output, format, output_nodes(points), triangles, file_base,
+                      [&] { return neighbor_lists(points, triangulated); });
+}
+
+/// Where added vertices are written. Formats that only number nodes leave them to an
+/// .ele file's companion of the same name, or to another run.
+void write_added(const Settings& settings, const std::string& format,
+                 const ConstrainedInput& input, const ConstrainedOutput& result,
+                 Reporter& reporter) {
+  const std::string& path = settings.output.output.path;
+  if (result.num_added == 0 || !names_rows_only(format)) return;
+  if (format != "ele" || path == "-") {
+    reporter.say("{}: the last nodes of -o FILE.node",
+                 counted(result.num_added, "added point"));
     return;
   }
-  const auto triangles = numbered_triangles(points, triangulated);
-  if (format == "tri") io::write_tri(path, triangles, settings.base);
-  if (format == "ele") io::write_ele(path, triangles, settings.base);
-  if (settings.writes_neighbors) {
-    io::write_neigh(std::filesystem::path(path).replace_extension(".neigh").string(),
-                    triangles, settings.base);
-  }
+  const std::string nodes = fs::path(path).replace_extension(".node").string();
+  check_output(nodes,
+               {settings.points.path, settings.constraints.path, input.points.path});
+  TriangleOutput output = settings.output;
+  output.output.path = nodes;
+  output.writes_neighbors = false;
+  write_triangulation(output, "node", result.nodes, {}, input.file_base, {});
+  reporter.say("wrote {}: {}", nodes, counted(result.num_added, "added point"));
+}
+
+/// Triangles of the domain that segments enclose.
+void run_constrained(const Settings& settings, const std::string& format,
+                     Reporter& reporter) {
+  if (lists_neighbors(format))
+    throw UsageError(
+        "a domain with holes has no lists of neighbours; write its triangles (.ele, "
+        ".tri)");
+  const ConstrainedInput input =
+      read_constrained(settings.points, settings.constraints, reporter);
+  ConstrainedOutput result = triangulate(input, settings.constraints, reporter);
+  reporter.timed(Phase::write, [&] {
+    write_added(settings, format, input, result, reporter);
+    write_triangulation(settings.output, format, std::move(result.nodes),
+                        result.triangles, input.file_base, {});
+  });
 }
 
 ExitCode run(const Settings& settings, Reporter& reporter) {
-  const std::string format = choose_format(settings.output, {"tri", "ele", "adj"});
-  if (settings.writes_neighbors && (format != "ele" || settings.output.path == "-")) {
-    throw UsageError(
-        "--neighbors writes a .neigh file beside an .ele file; give -o FILE.ele");
+  const std::string format = choose_triangle_format(settings.output);
+  const std::string& path = settings.output.output.path;
+  if (is_poly(settings.points.path) || !settings.constraints.path.empty()) {
+    check_output(path, {settings.points.path, settings.constraints.path});
+    run_constrained(settings, format, reporter);
+    reporter.say("wrote {}", path);
+    return ExitCode::done;
   }
-  check_output(settings.output.path, {settings.points.path});
+  if (settings.constraints.needs_segments())
+    throw UsageError(
+        "--keep-outside, --split-intersections, --outside, --min-angle and --max-area "
+        "need segments: a .poly file or --constraints FILE");
+  check_output(path, {settings.points.path});
   const Points points = read_points(settings.points, reporter);
   const Triangulated triangulated = triangulate(points, reporter);
   reporter.timed(Phase::write, [&] { write(settings, format, points, triangulated); });
-  reporter.say("wrote {}", settings.output.path);
+  reporter.say("wrote {}", path);
   return ExitCode::done;
 }
 
@@ -91,21 +98,21 @@ Command add_triangulate_command(CLI::App& program) {
       *program.add_subcommand("triangulate", "Delaunay triangles of scattered points");
   const auto settings = std::make_shared<Settings>();
   add_point_options(app, settings->points, Values::ignored);
-  add_output_options(app, settings->output,
-                     ".tri (index triples), .ele (of Triangle), .adj (a node and its "
-                     "neighbours counter-clockwise)");
-  app.add_option("--base", settings->base,
-                 "Number of the first data row: 0 (default) or 1")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1));
-  app.add_flag("--canonical", settings->is_canonical,
-               "Smallest corner first, triangles sorted (they always are)");
-  app.add_flag("--neighbors", settings->writes_neighbors,
-               "Beside OUT.ele write OUT.neigh");
+  app.get_option("POINTS")->description(
+      "Table of points: CSV, TSV, blanks or .node; - reads standard input; or a .poly "
+      "file "
+      "with points and segments");
+  add_constraint_options(app, settings->constraints);
+  add_triangle_output_options(app, settings->output);
   app.footer(
       "Nodes are data rows counted from --base; of rows at one position the first is "
-      "used.\n\n"
-      "Example:\n  delone triangulate stations.csv -o stations.tri --base 1");
+      "used. Points that are added get the numbers after them; an .ele file then comes "
+      "with "
+      "a .node file.\n\n"
+      "Example:\n  delone triangulate stations.csv -o stations.tri --base 1\n"
+      "  delone triangulate lake.poly -o lake.ele --min-angle 25 --max-area 0.5\n"
+      "  delone triangulate stations.csv -o stations.svg --show points,voronoi --labels "
+      "nodes");
   return {&app, [settings](Reporter& reporter) { return run(*settings, reporter); }};
 }
 

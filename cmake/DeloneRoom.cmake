@@ -27,12 +27,26 @@ function(delone_room name)
   delone_install_room(${name} "${ROOM_PUBLIC}" "${ROOM_PRIVATE}")
 endfunction()
 
+# Adds files compiled with AVX2 to a room, where the processor family has it; which version runs is chosen
+# at run time (delaunay/instruction_set.hpp).
+function(delone_avx2 name)
+  if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    return()
+  endif()
+  target_sources(delone_${name} PRIVATE ${ARGN})
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -mavx2)
+  target_compile_definitions(delone_${name} PRIVATE DELONE_AVX2)
+endfunction()
+
 # Contraction to fused multiply-add is off everywhere: a compiler's choice must not change a result.
-# g++ 12 takes the concatenation of strings for an overlapping copy (its bug 105651): no -Wrestrict. What
-# -Wconversion means is g++'s: clang's asks for a cast at every index.
+# g++ 12 takes the concatenation of strings for an overlapping copy (its bug 105651): no -Wrestrict. It
+# tells that four doubles are passed in memory on machines without AVX: they are only passed to functions
+# that are inlined (-Wpsabi). Options are structs of which some members are set by name
+# (-Wmissing-field-initializers). What -Wconversion means is g++'s: clang's asks for a cast at every index.
 function(delone_warnings target)
   target_compile_options(${target} PRIVATE -ffp-contract=off
-    -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    -Wno-missing-field-initializers "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-psabi>"
     $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
     $<$<BOOL:${DELONE_WERROR}>:-Werror>)
 endfunction()

@@ -180,6 +180,8 @@ Adjacency from_renka(const RenkaLists& lists) {
     if (!is_boundary.back())
       std::rotate(list.begin(), std::min_element(list.begin(), list.end()), list.end());
     neighbors.insert(neighbors.end(), list.begin(), list.end());
+    // Or lists that share their entries would grow as the square of the input.
+    if (neighbors.size() > lists.list.size()) throw Error("two nodes share a list");
     offsets.push_back(static_cast<std::int32_t>(neighbors.size()));
   }
   return {offsets, neighbors, std::move(is_boundary)};

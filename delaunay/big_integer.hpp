@@ -79,9 +79,12 @@ class BigInteger {
     BigInteger<Capacity + Other> product;
     if (sign_ == 0 || other.sign_ == 0) return product;
     std::fill_n(product.words_.begin(), size_ + other.size_, std::uint64_t{0});
+    // Numbers of very different magnitude on one scale are nearly all zeros.
+    const std::size_t other_begin = other.num_low_zeros();
     for (std::size_t i = 0; i < size_; ++i) {
+      if (words_[i] == 0) continue;
       std::uint64_t carry = 0;
-      for (std::size_t j = 0; j < other.size_; ++j) {
+      for (std::size_t j = other_begin; j < other.size_; ++j) {
         const UnsignedInt128 t =
             static_cast<UnsignedInt128>(words_[i]) * other.words_[j] +
             product.words_[i + j] + carry;
@@ -94,6 +97,22 @@ class BigInteger {
     product.sign_ = sign_ * other.sign_;
     product.drop_leading_zeros();
     return product;
+  }
+
+  /// mantissa * 2^exponent, 1 <= |mantissa| < 2, cut off after 53 bits; 0 and 0 for zero.
+  struct Leading {
+    double mantissa = 0;
+    int exponent = 0;
+  };
+  [[nodiscard]] Leading leading() const noexcept {
+    if (sign_ == 0) return {};
+    const std::uint64_t top = words_[size_ - 1];
+    const std::uint64_t below = size_ > 1 ? words_[size_ - 2] : 0;
+    const int zeros = std::countl_zero(top);
+    const auto both = (static_cast<UnsignedInt128>(top) << 64 | below) << zeros;
+    const auto bits = static_cast<std::uint64_t>(both >> (128 - 53));
+    return {sign_ * 0x1p-52 * static_cast<double>(bits),
+            64 * static_cast<int>(size_) - zeros - 1};
   }
 
   template <int Other>
@@ -158,6 +177,12 @@ class BigInteger {
     }
     size_ = larger.size_;
     drop_leading_zeros();
+  }
+
+  [[nodiscard]] std::size_t num_low_zeros() const noexcept {
+    std::size_t num = 0;
+    while (num < size_ && words_[num] == 0) ++num;
+    return num;
   }
 
   void drop_leading_zeros() noexcept {

@@ -60,28 +60,78 @@ void check_num_points(std::size_t num_points) {
               std::to_string(limit) + " a triangulation; divide the set");
 }
 
-void sort_by_key(Buffer<KeyedRow>& items) {
-  constexpr int bits = 11, passes = 3;
-  constexpr std::size_t buckets = 1u << bits;
-  if (items.size() < buckets) {
+namespace {
+
+constexpr int digit_bits = 11, num_passes = 3;
+constexpr std::size_t num_buckets = 1u << digit_bits;
+
+std::size_t digit(KeyedRow item, int pass) {
+  return static_cast<std::size_t>(item >> (32 + digit_bits * pass)) & (num_buckets - 1);
+}
+
+/// One pass of a stable radix sort by a digit, in parts that are counted and written side
+/// by side.
+class RadixPass {
+ public:
+  RadixPass(std::span<const KeyedRow> from, std::span<KeyedRow> to, int pass,
+            std::size_t num_parts)
+      : from_(from), to_(to), pass_(pass), counts_(num_parts) {}
+
+  void run(const RunOptions& options) {
+    const auto num_parts = static_cast<std::int64_t>(counts_.size());
+    parallel_chunks(num_parts, 1, options, [this](std::int64_t k, std::int64_t) {
+      count(static_cast<std::size_t>(k));
+    });
+    add_up();
+    parallel_chunks(num_parts, 1, options, [this](std::int64_t k, std::int64_t) {
+      move(static_cast<std::size_t>(k));
+    });
+  }
+
+ private:
+  using Counts = std::array<std::uint32_t, num_buckets>;
+
+  [[nodiscard]] std::span<const KeyedRow> part(std::size_t k) const {
+    const std::size_t begin = from_.size() * k / counts_.size(),
+                      end = from_.size() * (k + 1) / counts_.size();
+    return from_.subspan(begin, end - begin);
+  }
+  void count(std::size_t k) {
+    counts_[k].fill(0);
+    for (const KeyedRow item : part(k)) ++counts_[k][digit(item, pass_)];
+  }
+  // Counts become the places where parts begin to write.
+  void add_up() {
+    std::uint32_t start = 0;
+    for (std::size_t d = 0; d < num_buckets; ++d) {
+      for (Counts& counts : counts_) counts[d] = std::exchange(start, start + counts[d]);
+    }
+  }
+  void move(std::size_t k) {
+    Counts& place = counts_[k];
+    for (const KeyedRow item : part(k)) to_[place[digit(item, pass_)]++] = item;
+  }
+
+  std::span<const KeyedRow> from_;
+  std::span<KeyedRow> to_;
+  int pass_;
+  std::vector<Counts> counts_;
+};
+
+}  // namespace
+
+void sort_by_key(Buffer<KeyedRow>& items, const RunOptions& run) {
+  if (items.size() < num_buckets) {
     std::stable_sort(items.begin(), items.end(),
                      [](KeyedRow a, KeyedRow b) { return a >> 32 < b >> 32; });
     return;
   }
-  const auto digit = [](KeyedRow item, int pass) {
-    return static_cast<std::size_t>(item >> (32 + bits * pass)) & (buckets - 1);
-  };
-  std::array<std::array<std::uint32_t, buckets>, passes> counts{};
-  for (const KeyedRow item : items) {
-    for (int pass = 0; pass < passes; ++pass)
-      ++counts[static_cast<std::size_t>(pass)][digit(item, pass)];
-  }
+  constexpr std::size_t grain = 1u << 16;
+  const std::size_t num_parts =
+      std::min(items.size() / grain + 1, static_cast<std::size_t>(num_threads(run)));
   Buffer<KeyedRow> sorted(items.size());
-  for (int pass = 0; pass < passes; ++pass) {
-    auto& count = counts[static_cast<std::size_t>(pass)];
-    std::uint32_t start = 0;
-    for (std::uint32_t& c : count) c = std::exchange(start, start + c);
-    for (const KeyedRow item : items) sorted[count[digit(item, pass)]++] = item;
+  for (int pass = 0; pass < num_passes; ++pass) {
+    RadixPass(items, sorted, pass, num_parts).run(run);
     items.swap(sorted);
   }
 }

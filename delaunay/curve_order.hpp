@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "delaunay/adjacency.hpp"
+#include "delaunay/parallel.hpp"
 
 namespace delone::delaunay {
 
@@ -18,14 +19,42 @@ namespace delone::delaunay {
 /// An item to sort: key in the high half, row in the low half.
 using KeyedRow = std::uint64_t;
 
-/// Sorts by key, rows of equal keys staying in order. Radix sort, O(n).
-void sort_by_key(Buffer<KeyedRow>& items);
+/// Sorts by key, rows of equal keys staying in order. Radix sort, O(n), in parallel.
+void sort_by_key(Buffer<KeyedRow>& items,
+                 const RunOptions& run = {.num_threads = 1, .progress = {}});
 
-/// The different positions of a point set in the order of a space-filling curve.
-struct SiteOrder {
-  Buffer<Node> rows;   ///< site -> first row with that position
-  Buffer<Site> sites;  ///< row -> site
-};
+/// Rows 0 .. num_rows - 1 sorted by `key(row)`.
+template <class Key>
+[[nodiscard]] Buffer<KeyedRow> sorted_by_key(std::size_t num_rows, Key key,
+                                             const RunOptions& run) {
+  Buffer<KeyedRow> items(num_rows);
+  const RunOptions quietly{.num_threads = run.num_threads, .progress = {}};
+  parallel_chunks(static_cast<std::int64_t>(num_rows), 1 << 16, quietly,
+                  [&](std::int64_t begin, std::int64_t end) {
+                    for (auto i = static_cast<std::size_t>(begin);
+                         i < static_cast<std::size_t>(end); ++i)
+                      items[i] = KeyedRow{key(i)} << 32 | i;
+                  });
+  sort_by_key(items, quietly);
+  return items;
+}
+
+/// Calls `use(i, where(rows[i]))` for every i, in parallel, and fetches `where` some
+/// steps ahead: rows are in the order of the curve, what they stand for is not.
+template <class Where, class Use>
+void for_each_ahead(const Buffer<Node>& rows, Where where, Use use,
+                    const RunOptions& run) {
+  constexpr std::size_t ahead = 24;
+  const RunOptions quietly{.num_threads = run.num_threads, .progress = {}};
+  parallel_chunks(static_cast<std::int64_t>(rows.size()), 1 << 16, quietly,
+                  [&](std::int64_t begin, std::int64_t end) {
+                    const auto last = static_cast<std::size_t>(end);
+                    for (auto i = static_cast<std::size_t>(begin); i < last; ++i) {
+                      if (i + ahead < last) __builtin_prefetch(where(rows[i + ahead]));
+                      use(i, where(rows[i]));
+                    }
+                  });
+}
 
 /// Throws Error if there are more points than 32-bit arcs and faces can number (2^28).
 void check_num_points(std::size_t num_points);
@@ -47,20 +76,6 @@ void renumber_sites(Buffer<Node>& rows, Buffer<Site>& sites, Buffer<Point>& poin
   rows = std::move(new_rows);
   points = std::move(new_points);
 }
-
-/// Two coordinates on a chart of the surface, in which points are sorted within a cell.
-using Chart = std::array<double, 2>;
-
-/// Puts rows that share a key into their final order and finds repeats.
-///
-/// `items` is sorted by key. Few rows with one key are sorted by `chart(row)`; many are
-/// keyed again inside their own bounding box on the chart, so a dense cluster in a sparse
-/// set gets a curve of its own. Rows of equal chart coordinates are ordered by
-/// `compare.less(row, row)`, and those for which `compare.is_same(row, row)` are one
-/// position. Depends on the set of positions only.
-template <class ChartOf, class Compare>
-[[nodiscard]] SiteOrder site_order(Buffer<KeyedRow>& items, ChartOf chart,
-                                   Compare compare);
 
 /// Sites that are inserted together, and whose faces therefore lie together in memory.
 inline constexpr Site insertion_block = 4096;

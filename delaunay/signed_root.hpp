@@ -1,5 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
 #include "delaunay/big_integer.hpp"
 
 namespace delone::delaunay {
@@ -53,6 +59,57 @@ template <int Capacity>
                   SignedRoot{-s.sign * t.sign * v.sign * w.sign, stvw});
   if (z_against_r == 0) return 0;
   return x * (z_against_r > 0 ? z : r.sign());
+}
+
+/// factor * sqrt(square), square > 0.
+template <int Factor, int Square>
+struct RootTerm {
+  BigInteger<Factor> factor;
+  BigInteger<Square> square;
+};
+template <int Factor, int Square>
+RootTerm(BigInteger<Factor>, BigInteger<Square>) -> RootTerm<Factor, Square>;
+
+/// Sign of the sum of four terms from their leading 53 bits, if they settle it.
+///
+/// With u = 2^-53 a factor is cut off by less than 2 u and so is a square, which is half
+/// of that in its root; the root and the product round: less than 5 u of a term, 3 u for
+/// the sums, twice that for the bound's own rounding. Terms that underflow on the scale
+/// of the largest one (whose mantissa is at least 1) do not come near the bound either.
+template <int Factor, int Square>
+[[nodiscard]] std::optional<int> estimated_sign_of_sum(
+    const std::array<RootTerm<Factor, Square>, 4>& terms) noexcept {
+  std::array<double, 4> mantissa{};
+  std::array<int, 4> exponent{};
+  int largest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto [factor, factor_exponent] = terms[i].factor.leading();
+    const auto [square, square_exponent] = terms[i].square.leading();
+    const bool is_odd = square_exponent % 2 != 0;
+    mantissa[i] = factor * std::sqrt(is_odd ? 2 * square : square);
+    exponent[i] = factor_exponent + square_exponent / 2;
+    if (factor != 0) largest = std::max(largest, exponent[i]);
+  }
+  double sum = 0, size = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double term = std::ldexp(mantissa[i], exponent[i] - largest);
+    sum += term;
+    size += std::abs(term);
+  }
+  if (size == 0) return 0;
+  if (std::abs(sum) <= 0x1p-49 * size) return std::nullopt;
+  return sum > 0 ? 1 : -1;
+}
+
+/// Sign of the sum of four terms. Exact.
+template <int Factor, int Square>
+[[nodiscard]] int sign_of_sum(
+    const std::array<RootTerm<Factor, Square>, 4>& terms) noexcept {
+  if (const auto certain = estimated_sign_of_sum(terms)) return *certain;
+  const auto root = [](const RootTerm<Factor, Square>& term) {
+    return SignedRoot{term.factor.sign(), term.square * (term.factor * term.factor)};
+  };
+  return sign_of_sum(root(terms[0]), root(terms[1]), root(terms[2]), root(terms[3]));
 }
 
 }  // namespace delone::delaunay

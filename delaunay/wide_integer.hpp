@@ -45,6 +45,13 @@ struct Integer192 {
   }
 };
 
+/// The sum of two that are at most 2^190 in magnitude.
+[[nodiscard]] constexpr Integer192 operator+(const Integer192& a,
+                                             const Integer192& b) noexcept {
+  const std::uint64_t low = a.low + b.low;
+  return {a.high + b.high + static_cast<int>(low < a.low), low};
+}
+
 /// high * 2^128 + low
 struct Integer256 {
   Int128 high = 0;

@@ -6,6 +6,8 @@ namespace delone::interp {
 
 namespace {
 
+using delaunay::two_difference;
+
 // Sign of (p - origin) . (to - from), to about 100 bits: neighbouring zones must agree on
 // whose side a point is, or its value would depend on where the walk began.
 int sign_of_dot(Point2 p, Point2 origin, Point2 from, Point2 to) noexcept {
@@ -13,10 +15,9 @@ int sign_of_dot(Point2 p, Point2 origin, Point2 from, Point2 to) noexcept {
                y = (p.y - origin.y) * (to.y - from.y);
   const double dot = x + y;
   if (std::abs(dot) > 0x1p-49 * (std::abs(x) + std::abs(y))) return dot > 0 ? 1 : -1;
-  const double accurate =
-      (exact_difference(p.x, origin.x) * exact_difference(to.x, from.x) +
-       exact_difference(p.y, origin.y) * exact_difference(to.y, from.y))
-          .high;
+  const double accurate = (two_difference(p.x, origin.x) * two_difference(to.x, from.x) +
+                           two_difference(p.y, origin.y) * two_difference(to.y, from.y))
+                              .high;
   return accurate > 0 ? 1 : accurate < 0 ? -1 : 0;
 }
 
@@ -87,8 +88,8 @@ void HullExtension::add_derivative(Combination& sum, Arc boundary,
                                    Point2 along) const noexcept {
   const std::array<Site, 3> corners = triangle_at(boundary);
   const Point2 a = scaled(corners[0]), b = scaled(corners[1]), c = scaled(corners[2]);
-  const DoubleDouble ux = exact_difference(b.x, a.x), uy = exact_difference(b.y, a.y);
-  const DoubleDouble vx = exact_difference(c.x, a.x), vy = exact_difference(c.y, a.y);
+  const DoubleDouble ux = two_difference(b.x, a.x), uy = two_difference(b.y, a.y);
+  const DoubleDouble vx = two_difference(c.x, a.x), vy = two_difference(c.y, a.y);
   const DoubleDouble x{along.x, 0}, y{along.y, 0}, area = ux * vy - uy * vx;
   if (!(area.high > 0)) return;  // flat to 100 bits: no slope can be told
   const double wb = ((x * vy - y * vx) / area).rounded(),

@@ -7,6 +7,8 @@ namespace delone::interp {
 
 namespace {
 
+using delaunay::two_difference;
+
 double squared_length(double x, double y) { return x * x + y * y; }
 
 // Twice the area as long as it is large enough beside the sides to be accurate in
@@ -21,8 +23,8 @@ double plain_area(Point2 a, Point2 b, Point2 c) {
 
 // (b - a) x (c - a) to about 100 bits
 DoubleDouble accurate_cross(Point2 a, Point2 b, Point2 c) {
-  return exact_difference(b.x, a.x) * exact_difference(c.y, a.y) -
-         exact_difference(b.y, a.y) * exact_difference(c.x, a.x);
+  return two_difference(b.x, a.x) * two_difference(c.y, a.y) -
+         two_difference(b.y, a.y) * two_difference(c.x, a.x);
 }
 
 std::array<double, 3> normalized(double wa, double wb, double wc) {
@@ -82,12 +84,12 @@ void PlaneFacet::set_slopes(const PlaneCorner& b, const PlaneCorner& c) noexcept
     return;
   }
   is_thin_ = true;
-  const DoubleDouble zb = exact_difference(b.value, a.value),
-                     zc = exact_difference(c.value, a.value);
+  const DoubleDouble zb = two_difference(b.value, a.value),
+                     zc = two_difference(c.value, a.value);
   x_slope_ =
-      (zb * exact_difference(c.p.y, a.p.y) - zc * exact_difference(b.p.y, a.p.y)) / area;
+      (zb * two_difference(c.p.y, a.p.y) - zc * two_difference(b.p.y, a.p.y)) / area;
   y_slope_ =
-      (zc * exact_difference(b.p.x, a.p.x) - zb * exact_difference(c.p.x, a.p.x)) / area;
+      (zc * two_difference(b.p.x, a.p.x) - zb * two_difference(c.p.x, a.p.x)) / area;
 }
 
 void PlaneFacet::set_slope_along(const PlaneCorner& a, const PlaneCorner& b) noexcept {
@@ -100,8 +102,8 @@ void PlaneFacet::set_slope_along(const PlaneCorner& a, const PlaneCorner& b) noe
 }
 
 double PlaneFacet::thin_value(Point2 p) const noexcept {
-  const DoubleDouble rise = x_slope_ * exact_difference(p.x, origin_.x) +
-                            y_slope_ * exact_difference(p.y, origin_.y);
+  const DoubleDouble rise = x_slope_ * two_difference(p.x, origin_.x) +
+                            y_slope_ * two_difference(p.y, origin_.y);
   return std::max(low_, std::min(high_, (DoubleDouble{value_, 0} + rise).rounded()));
 }
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "interp/double_double.hpp"
+#include "delaunay/double_double.hpp"
 #include "tripack/point.hpp"
 
 namespace delone::interp {
 
+using delaunay::DoubleDouble;
 using tripack::Point2;
 
 /// A corner of a facet: position and value.

@@ -6,6 +6,8 @@ namespace delone::interp {
 
 namespace {
 
+using delaunay::two_difference;
+
 double power_near_inverse(double largest) {
   return largest > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(largest), 0, 1000)) : 1;
 }
@@ -21,8 +23,7 @@ ThinTriangle::AccurateVector ThinTriangle::exact(Vector3 a) noexcept {
 }
 
 ThinTriangle::AccurateVector ThinTriangle::difference(Vector3 a, Vector3 b) noexcept {
-  return {exact_difference(a.x, b.x), exact_difference(a.y, b.y),
-          exact_difference(a.z, b.z)};
+  return {two_difference(a.x, b.x), two_difference(a.y, b.y), two_difference(a.z, b.z)};
 }
 
 ThinTriangle::AccurateVector ThinTriangle::cross(const AccurateVector& a,

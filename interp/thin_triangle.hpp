@@ -2,10 +2,12 @@
 
 #include <array>
 
-#include "interp/double_double.hpp"
+#include "delaunay/double_double.hpp"
 #include "interp/sphere_vector.hpp"
 
 namespace delone::interp {
+
+using delaunay::DoubleDouble;
 
 /// Weights within a flat triangle that is thin, tiny, or nearly seen edge-on from the
 /// centre, in double-double arithmetic.

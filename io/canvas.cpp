@@ -140,6 +140,29 @@ void Canvas::draw_line(std::span<const CanvasPoint> points, Stroke stroke) {
   cairo_stroke(context_.get());
 }
 
+void Canvas::draw_lines(std::span<const std::vector<CanvasPoint>> lines, Stroke stroke) {
+  // Cairo's time to paint a path grows faster than its length.
+  constexpr std::size_t most_together = 400;
+  while (!lines.empty()) {
+    const auto batch = lines.first(std::min(lines.size(), most_together));
+    cairo_new_path(context_.get());
+    for (const auto& line : batch) {
+      cairo_new_sub_path(context_.get());
+      for (const CanvasPoint p : line) cairo_line_to(context_.get(), p.x, p.y);
+    }
+    set_stroke(context_.get(), stroke);
+    cairo_stroke(context_.get());
+    lines = lines.subspan(batch.size());
+  }
+}
+
+void Canvas::draw_circle(CanvasPoint centre, double radius, Stroke stroke) {
+  cairo_new_path(context_.get());
+  cairo_arc(context_.get(), centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+  set_stroke(context_.get(), stroke);
+  cairo_stroke(context_.get());
+}
+
 void Canvas::draw_segment(CanvasPoint from, CanvasPoint to, Stroke stroke) {
   draw_line(std::array{from, to}, stroke);
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/colormap.hpp"
 #include "io/map_raster.hpp"
@@ -53,8 +54,11 @@ class Canvas {
   [[nodiscard]] double text_width(const std::string& text, double size) const;
   void draw_text(const std::string& text, CanvasPoint anchor, const TextStyle& style);
   void draw_line(std::span<const CanvasPoint> points, Stroke stroke);
+  /// Many lines at once: where they meet or cross, nothing is painted twice.
+  void draw_lines(std::span<const std::vector<CanvasPoint>> lines, Stroke stroke);
   void draw_segment(CanvasPoint from, CanvasPoint to, Stroke stroke);
   void draw_box(CanvasBox box, Stroke stroke);
+  void draw_circle(CanvasPoint centre, double radius, Stroke stroke);
   /// A disc with a ring around it, if that has a width.
   void draw_dot(CanvasPoint centre, double radius, Color fill, Stroke ring);
   /// Spreads the raster over the box without smoothing.

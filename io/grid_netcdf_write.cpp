@@ -1,78 +1,15 @@
-#include <netcdf.h>
-#include <netcdf_mem.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "io/grid_netcdf.hpp"
+#include "io/netcdf_image.hpp"
 #include "io/output_file.hpp"
-#include "io/table.hpp"
 
 namespace delone::io {
 namespace {
-
-/// A NetCDF file (classic format, 64-bit offsets) that the library builds in memory: so
-/// it reaches devices and pipes too, and OutputFile sees every failure of the disk.
-class NetcdfImage {
- public:
-  explicit NetcdfImage(std::string path) : path_(std::move(path)) {
-    check(nc_create_mem("delone", NC_64BIT_OFFSET, 0, &id_));
-    int previous_mode = 0;
-    check(nc_set_fill(id_, NC_NOFILL, &previous_mode));  // every value gets written
-  }
-  ~NetcdfImage() {
-    if (id_ >= 0) nc_abort(id_);
-  }
-  NetcdfImage(const NetcdfImage&) = delete;
-  NetcdfImage& operator=(const NetcdfImage&) = delete;
-
-  int add_dimension(const char* name, std::int64_t size) {
-    int dimension = 0;
-    check(nc_def_dim(id_, name, static_cast<std::size_t>(size), &dimension));
-    return dimension;
-  }
-  int add_variable(const std::string& name, const std::vector<int>& dimensions) {
-    int variable = 0;
-    check(nc_def_var(id_, name.c_str(), NC_DOUBLE, static_cast<int>(dimensions.size()),
-                     dimensions.data(), &variable));
-    return variable;
-  }
-  /// Attributes with nothing to say are left out.
-  void add_text(int variable, const char* name, std::string_view text) {
-    if (!text.empty())
-      check(nc_put_att_text(id_, variable, name, text.size(), text.data()));
-  }
-  void add_fill_value(int variable, double value) {
-    check(nc_put_att_double(id_, variable, "_FillValue", NC_DOUBLE, 1, &value));
-  }
-  void end_definitions() { check(nc_enddef(id_)); }
-  void put(int variable, const std::vector<double>& values) {
-    check(nc_put_var_double(id_, variable, values.data()));
-  }
-
-  /// Ends the image and writes it to `file`.
-  void write_to(OutputFile& file) {
-    NC_memio memory{};
-    check(nc_close_memio(std::exchange(id_, -1), &memory));
-    const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
-    file.write({static_cast<const char*>(memory.memory), memory.size});
-  }
-
- private:
-  void check(int status) const {
-    if (status != NC_NOERR)
-      throw WriteError(path_ + ": cannot be written: " + nc_strerror(status));
-  }
-
-  std::string path_;
-  int id_ = -1;
-};
 
 /// What CF says of a coordinate.
 struct Coordinate {

@@ -61,10 +61,22 @@ std::string first_of(std::initializer_list<std::string> texts) {
   return "";
 }
 
+/// Empty if the long name is but the name of a column once more.
+std::string own_long_name(const GridInfo& info) {
+  return info.long_name == info.name ? "" : info.long_name;
+}
+
+/// "geoid (m)" for a column geoid_m.
+std::string readable_name(const GridInfo& info) {
+  return quantity_text({printed_name(printable(info.name), info.units),
+                        printed_units(printable(info.units))},
+                       0);
+}
+
 /// What the colour bar says: the variable's long name, or its short one where the title
 /// says the long one already.
 std::string value_name(const GridInfo& info, const std::string& title) {
-  const std::string long_name = printable(info.long_name);
+  const std::string long_name = printable(own_long_name(info));
   if (!long_name.empty() && long_name != title) return long_name;
   return printed_name(printable(info.name), info.units);
 }
@@ -78,8 +90,8 @@ MapContent content_of(const GridFile& grid, const MapOptions& options) {
   content.aspect =
       info.is_lonlat ? globe_aspect(content.frame) : plane_aspect(content.frame);
   content.scale = scale_of(grid.field.values);
-  content.title = first_of(
-      {options.title, info.title, info.long_name, printed_name(info.name, info.units)});
+  content.title =
+      first_of({options.title, info.title, own_long_name(info), readable_name(info)});
   content.x = {first_of({info.x_name, "x"}), printed_units(printable(info.x_units))};
   content.y = {first_of({info.y_name, "y"}), printed_units(printable(info.y_units))};
   content.value = {value_name(info, content.title), printed_units(printable(info.units))};

@@ -12,8 +12,6 @@ namespace delone::io {
 namespace {
 
 constexpr Color ink{38, 38, 38};
-constexpr Color graticule_color{125, 125, 125};
-constexpr Color coast_color{45, 45, 45};
 constexpr Color white{255, 255, 255};
 
 // More dots than this cannot be told apart, and make vector files of hundreds of
@@ -81,9 +79,9 @@ void MapDrawing::draw_field(const interp::Field& field, const MapPoints& points)
   canvas_.draw_raster(raster, layout_.plot);
 }
 
-void MapDrawing::draw_graticule() {
+void MapDrawing::draw_graticule(Color color) {
   canvas_.clip(layout_.plot);
-  const Stroke stroke{graticule_color, scaled(0.6)};
+  const Stroke stroke{color, scaled(0.6)};
   const auto& [west, south, east, north, is_closed] = content_.frame;
   for (const double lon : layout_.x.values)
     canvas_.draw_segment(place(lon, south), place(lon, north), stroke);
@@ -92,14 +90,14 @@ void MapDrawing::draw_graticule() {
   canvas_.unclip();
 }
 
-void MapDrawing::draw_coast() {
+void MapDrawing::draw_coast(Color color) {
   canvas_.clip(layout_.plot);
   const auto& [west, south, east, north, is_closed] = content_.frame;
   std::vector<CanvasPoint> points;
   for (const CoastLine& line : coast_in({west, south, east, north})) {
     points.clear();
     for (const auto& p : line) points.push_back(place(p.lon_deg, p.lat_deg));
-    canvas_.draw_line(points, {coast_color, std::max(0.7, scaled(1.1))});
+    canvas_.draw_line(points, {color, std::max(0.7, scaled(1.1))});
   }
   canvas_.unclip();
 }

@@ -23,8 +23,8 @@ class MapDrawing {
   /// The field and, where they are too many to be drawn one by one, the points as pixels
   /// of it.
   void draw_field(const interp::Field& field, const MapPoints& points);
-  void draw_graticule();
-  void draw_coast();
+  void draw_graticule(Color color = {125, 125, 125});
+  void draw_coast(Color color = {45, 45, 45});
   /// Dots, smaller the more there are; nothing if draw_field() has them.
   void draw_points(const MapPoints& points);
   void draw_note(const std::string& text);

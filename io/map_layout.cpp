@@ -71,13 +71,15 @@ class LayoutMaker {
     Margins m;
     const double margin = scaled(map_size::margin);
     const bool is_plane = content_.kind == MapKind::plane;
-    m.top =
-        margin + scaled(map_size::title * map_size::capital_height + map_size::title_gap);
+    m.top = margin;
+    if (!content_.title.empty())
+      m.top += scaled(map_size::title * map_size::capital_height + map_size::title_gap);
     m.left = margin + label_room(layout_.y_label_width) +
              (is_plane ? name_room(quantity_text(content_.y, 0)) : 0);
     m.right = std::max(margin, widest(layout_.x) / 2 + scaled(6));
     m.bottom = margin + label_room(label_height()) +
                (is_plane ? name_room(quantity_text(content_.x, 0)) : 0);
+    if (content_.bar == MapContent::Bar::absent) return m;
     const double bar_side = scaled(map_size::bar + map_size::bar_gap) + bar_name_room();
     if (layout_.bar_reading == Reading::across)
       m.bottom += bar_side + label_room(label_height());

@@ -28,6 +28,8 @@ struct MapContent {
   std::optional<ColorScale> scale;  ///< nothing if there are no values
   std::string title;
   Quantity x, y, value;  ///< x and y are printed on plane maps only
+  enum class Bar : std::uint8_t { shown, absent };
+  Bar bar = Bar::shown;  ///< the room for a colour bar, also of a map without values
 };
 
 /// Sizes in pixels of a map 1200 pixels wide, to be multiplied by MapLayout::scale.

@@ -13,6 +13,8 @@
 
 #include "io/fields.hpp"
 #include "io/line_reader.hpp"
+#include "io/output_file.hpp"
+#include "io/point_headers.hpp"
 #include "io/table_layout.hpp"
 
 namespace delone::io {
@@ -250,13 +252,73 @@ void check_not_empty(const PointTable& table, const std::string& file_name) {
                   std::to_string(table.num_bad) + " are bad");
 }
 
+/// The number, from `base`, of each line of a .node file in turn.
+class NodeNumbers {
+ public:
+  /// Throws unless the line begins with the number that is due.
+  void check(const LineReader& reader, std::string_view line) {
+    const std::string_view text = trim(line);
+    const std::string_view first = text.substr(0, text.find_first_of(" \t"));
+    const auto number = parse_integer(first);
+    if (count_ == 0 && number == 1) base_ = 1;
+    if (number != base_ + count_)
+      throw ReadError(reader.name() + ": line " + std::to_string(reader.line_number()) +
+                      ": '" + excerpt(first) + "' where node number " +
+                      std::to_string(base_ + count_) + " is due");
+    ++count_;
+  }
+  [[nodiscard]] int base() const noexcept { return base_; }
+
+ private:
+  int base_ = 0;
+  std::int64_t count_ = 0;
+};
+
+/// The next line that holds data, with a comment behind it cut off.
+std::optional<std::string_view> next_node_line(LineReader& reader) {
+  const auto line = next_data_line(reader);
+  if (!line) return std::nullopt;
+  return line->substr(0, line->find('#'));
+}
+
+PointTable read_node_table(LineReader& reader, const TableOptions& options) {
+  auto line = next_node_line(reader);
+  if (!line) throw ReadError(reader.name() + ": no data rows, the file is empty");
+  const NodeTableHeader header =
+      parse_node_header(reader.name(), reader.line_number(), *line);
+  const TableOptions chosen = with_node_defaults(reader.name(), header, options);
+  const TableLayout layout = find_layout(reader.name(), header.column_names, {}, chosen);
+  TableBuilder builder(reader, layout, chosen);
+  builder.reserve(expected_rows(reader, reader.peek(100)));
+  NodeNumbers numbers;
+  for (line = next_node_line(reader); line; line = next_node_line(reader)) {
+    numbers.check(reader, *line);
+    builder.add(*line);
+  }
+  PointTable table = builder.take();
+  check_announced_rows(reader.name(), header.num_nodes, table.num_rows);
+  describe_columns(table, layout);
+  if (options.keep_text) table.header = header.column_names;
+  table.base = numbers.base();
+  table.is_node_file = true;
+  check_not_empty(table, reader.name());
+  return table;
+}
+
 }  // namespace
 
 PointTable read_table(const std::string& path, const TableOptions& options) {
   constexpr std::size_t num_peeked = 200;
   LineReader reader(path);
+  if (file_format(path) == "node") return read_node_table(reader, options);
   auto line = next_data_line(reader);
   if (!line) throw ReadError(reader.name() + ": no data rows, the file is empty");
+  const auto announced = qhull_count(reader.name(), *line, reader.peek(num_peeked));
+  if (announced) {
+    static_cast<void>(next_data_line(reader));
+    line = next_data_line(reader);
+    if (!line) throw ReadError(reader.name() + ": no data rows, only a header");
+  }
   const auto following = reader.peek(num_peeked);
   const TableLayout layout = find_layout(reader.name(), *line, following, options);
   TableBuilder builder(reader, layout, options);
@@ -266,6 +328,7 @@ PointTable read_table(const std::string& path, const TableOptions& options) {
   for (; line; line = next_data_line(reader)) builder.add(*line);
 
   PointTable table = builder.take();
+  if (announced) check_announced_rows(reader.name(), *announced, table.num_rows);
   describe_columns(table, layout);
   table.header = header;
   check_not_empty(table, reader.name());

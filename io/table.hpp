@@ -31,6 +31,8 @@ struct TableOptions {
   bool skip_bad_rows = false;
   /// Keep every kept line's text and the header's, for outputs that repeat the columns.
   bool keep_text = false;
+  /// What a message tells to choose columns with.
+  std::string x_option = "--x", y_option = "--y";
 };
 
 /// The columns of a table of points. Only rows that are sound and have a value are kept;
@@ -52,7 +54,9 @@ struct PointTable {
   std::string value_units;  ///< from `name [unit]`, `name (unit)`, `name_unit`, or empty
   std::string header;       ///< the header line as it stands (keep_text)
   std::vector<std::string> text;  ///< the kept lines as they stand (keep_text)
-  char delimiter = ',';  ///< ',', ';', '\t' or ' ' (any number of blanks and tabs)
+  char delimiter = ',';       ///< ',', ';', '\t' or ' ' (any number of blanks and tabs)
+  bool is_node_file = false;  ///< the file is a .node file of Triangle
+  int base = 0;               ///< the number that a .node file gives to its first node
 
   /// The data row number of kept row i.
   [[nodiscard]] std::int64_t row_of(std::size_t i) const {
@@ -75,6 +79,11 @@ struct PointTable {
 /// its number of fields differs from the first line's, if one of the chosen fields is no
 /// number, or if a coordinate is missing or infinite. Ranges (latitude) are not checked
 /// here: see PointTable::line_of.
+///
+/// Two formats of points are known besides. A file called `.node` is Triangle's: its
+/// columns are number, x, y, attribute_1, ..., marker, the value by default the first
+/// attribute; `#` starts a comment anywhere. A file that begins with Qhull's two lines,
+/// dimension and number of points, is read without them. Both must keep their counts.
 ///
 /// Memory: the columns and a buffer of 256 KiB, or the longest line. Time: about 0.1 s a
 /// million rows of three numbers.

@@ -128,8 +128,8 @@ class ColumnFinder {
     if (x && y) return distinct(*x, *y);
     if (const auto pair = completed(x, y, longitude_names, latitude_names)) return *pair;
     if (const auto pair = completed(x, y, x_names, y_names)) return *pair;
-    fail("no columns called lon and lat, or x and y; choose with --x and --y: " +
-         list_of_columns(layout_));
+    fail("no columns called lon and lat, or x and y; choose with " + options.x_option +
+         " and " + options.y_option + ": " + list_of_columns(layout_));
   }
 
   /// The first column of numbers other than x and y.

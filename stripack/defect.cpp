@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "delaunay/defect.hpp"
+#include "delaunay/ring_check.hpp"
 #include "stripack/predicates.hpp"
 
 namespace delone::stripack {
@@ -180,6 +181,23 @@ Defect find_missing_triangles(const Sphere& sphere, Site n) {
          std::to_string(sphere.row(v)) + " are not on one great circle";
 }
 
+// Lists without triangles must be those of the chain.
+Defect find_list_chain_defect(std::span<const Direction> points,
+                              const delaunay::NeighborRings& lists) {
+  const Triangulation chain(points);
+  for (Node row = 0; row < chain.num_rows(); ++row) {
+    std::vector<Node> list = lists[static_cast<std::size_t>(row)];
+    if (list.empty() && chain.rows()[static_cast<std::size_t>(
+                            chain.sites()[static_cast<std::size_t>(row)])] != row)
+      continue;
+    if (!std::ranges::is_permutation(list, chain.neighbors(row))) {
+      return "row " + std::to_string(row) +
+             " is not joined to its neighbours along the chain";
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Defect find_defect(const Triangulation& t) {
@@ -209,6 +227,21 @@ Defect find_defect(std::span<const Direction> points,
   auto list = delaunay::site_triangles(triangles, positions);
   if (list.defect) return list.defect;
   return delaunay::find_list_defect(std::move(list.triangles), positions.rows, sphere);
+}
+
+Defect find_defect(std::span<const Direction> points,
+                   const delaunay::NeighborRings& lists) {
+  if (lists.size() != points.size()) {
+    return std::to_string(lists.size()) + " lists of neighbours for " +
+           std::to_string(points.size()) + " points";
+  }
+  if (auto defect = delaunay::find_list_entry_defect(lists)) return defect;
+  const auto at = [&](Node row) { return points[static_cast<std::size_t>(row)]; };
+  const auto found = delaunay::triangles_of_lists(
+      lists, [&](Node a, Node b, Node c) { return orientation(at(a), at(b), at(c)); });
+  if (found.defect) return found.defect;
+  if (auto defect = find_defect(points, found.triangles)) return defect;
+  return found.triangles.empty() ? find_list_chain_defect(points, lists) : std::nullopt;
 }
 
 }  // namespace delone::stripack

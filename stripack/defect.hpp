@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "delaunay/triangle_list.hpp"
 #include "stripack/triangulation.hpp"
 
 namespace delone::stripack {
@@ -22,5 +23,13 @@ namespace delone::stripack {
 [[nodiscard]] std::optional<std::string> find_defect(
     std::span<const Direction> points,
     std::span<const std::array<std::int32_t, 3>> triangles);
+
+/// The same question for foreign lists of neighbours: lists[i] holds the rows around row
+/// i, in order, from any of them on, counter-clockwise or clockwise throughout, a
+/// boundary row's from one boundary neighbour to the other (what Mathematica's
+/// DelaunayTriangulation printed and DelaunayTriangulationQ asked). A repeated row may
+/// have an empty list. Points of one great circle form a chain. O(n log n).
+[[nodiscard]] std::optional<std::string> find_defect(
+    std::span<const Direction> points, const delaunay::NeighborRings& lists);
 
 }  // namespace delone::stripack

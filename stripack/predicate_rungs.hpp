@@ -22,6 +22,13 @@ namespace delone::stripack {
 [[nodiscard]] std::optional<int> in_circle_integer(const Direction& a, const Direction& b,
                                                    const Direction& c,
                                                    const Direction& p) noexcept;
+/// Exact, or nothing: undecided are directions that are not multiples of 2^-60, and those
+/// whose lengths differ and matter. Decides exact ties, which symmetry makes of
+/// directions of equal length.
+[[nodiscard]] std::optional<int> in_circle_of_fixed_points(const Direction& a,
+                                                           const Direction& b,
+                                                           const Direction& c,
+                                                           const Direction& p) noexcept;
 /// Exact for all directions.
 [[nodiscard]] int in_circle_exact(const Direction& a, const Direction& b,
                                   const Direction& c, const Direction& p) noexcept;

@@ -160,6 +160,17 @@ auto squared_length(const ExactVector& a) { return a.x * a.x + a.y * a.y + a.z *
 
 }  // namespace
 
+namespace {
+
+// On the equator or one of the meridians 0 and 90 degrees, where degree-exact data have
+// the most ties: a column of zeros.
+template <class... Directions>
+bool is_on_coordinate_circle(const Directions&... d) {
+  return ((d.x() == 0) && ...) || ((d.y() == 0) && ...) || ((d.z() == 0) && ...);
+}
+
+}  // namespace
+
 int orientation_exact(const Direction& a, const Direction& b,
                       const Direction& c) noexcept {
   const auto v = to_exact(std::array{&a, &b, &c});
@@ -168,28 +179,87 @@ int orientation_exact(const Direction& a, const Direction& b,
 
 int orientation(const Direction& a, const Direction& b, const Direction& c) noexcept {
   if (const int certain = orientation_filter(a, b, c); certain != 0) return certain;
+  if (is_on_coordinate_circle(a, b, c)) return 0;
   if (const auto exact = orientation_integer(a, b, c)) return *exact;
   return orientation_exact(a, b, c);
 }
 
-// Minus the determinant with rows (x, y, z, |v|), by its last column: a sum of four terms
-// (length times determinant of the other three), each the signed root of an integer.
+// Minus the determinant with rows (x, y, z, |v|), by its last column, is a sum of four
+// terms: a length times the determinant of the other three. Both rungs below first add up
+// the determinants of equal lengths. Exact ties come from symmetry, four directions of
+// one circle that are each other's images, and these have equal lengths in pairs or all,
+// so that all sums are zero or have one sign and no root is needed.
+
+std::optional<int> in_circle_of_fixed_points(const Direction& a, const Direction& b,
+                                             const Direction& c,
+                                             const Direction& p) noexcept {
+  const std::array fixed{to_fixed_point(a), to_fixed_point(b), to_fixed_point(c),
+                         to_fixed_point(p)};
+  if (!is_exact(fixed[0], a) || !is_exact(fixed[1], b) || !is_exact(fixed[2], c) ||
+      !is_exact(fixed[3], p)) {
+    return std::nullopt;
+  }
+  // Coordinates of at most 2^60 (1 + 2^-51): lengths below 2^122, cross products below
+  // 2^122, determinants below 2^184.
+  const std::array<Int128, 3> ab = cross(fixed[0], fixed[1]),
+                              ba = cross(fixed[1], fixed[0]),
+                              cp = cross(fixed[2], fixed[3]),
+                              pc = cross(fixed[3], fixed[2]);
+  const std::array determinants{delaunay::dot(fixed[1], cp), delaunay::dot(fixed[0], pc),
+                                delaunay::dot(fixed[3], ab), delaunay::dot(fixed[2], ba)};
+  const std::array lengths{squared_length(fixed[0]), squared_length(fixed[1]),
+                           squared_length(fixed[2]), squared_length(fixed[3])};
+  bool some_positive = false, some_negative = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    delaunay::Integer192 sum;
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (lengths[j] == lengths[i]) sum = sum + determinants[j];
+    }
+    some_positive |= sum.sign() > 0;
+    some_negative |= sum.sign() < 0;
+  }
+  if (some_positive && some_negative) return std::nullopt;
+  return static_cast<int>(some_positive) - static_cast<int>(some_negative);
+}
+
+namespace {
+
+// The sum of the determinants whose lengths are that of number i; 0 if an earlier number
+// has the same.
+template <class Determinant, class Square>
+auto sum_of_equal_lengths(const std::array<Determinant, 4>& determinants,
+                          const std::array<Square, 4>& squares, std::size_t i) {
+  const auto part = [&](std::size_t j) {
+    return squares[j] == squares[i] ? determinants[j] : Determinant();
+  };
+  auto sum = part(0) + part(1) + part(2) + part(3);
+  const bool is_first = std::find(squares.begin(), squares.end(), squares[i]) ==
+                        squares.begin() + static_cast<std::ptrdiff_t>(i);
+  return is_first ? sum : decltype(sum)();
+}
+
+}  // namespace
+
 int in_circle_exact(const Direction& a, const Direction& b, const Direction& c,
                     const Direction& p) noexcept {
   const auto v = to_exact(std::array{&a, &b, &c, &p});
-  const auto root = [](const auto& length_square, const auto& det) {
-    return SignedRoot{det.sign(), length_square * (det * det)};
+  const std::array squares{squared_length(v[0]), squared_length(v[1]),
+                           squared_length(v[2]), squared_length(v[3])};
+  const std::array determinants{
+      determinant(v[1], v[2], v[3]), determinant(v[2], v[0], v[3]),
+      determinant(v[0], v[1], v[3]), determinant(v[1], v[0], v[2])};
+  const auto term = [&](std::size_t i) {
+    return delaunay::RootTerm{sum_of_equal_lengths(determinants, squares, i), squares[i]};
   };
-  return delaunay::sign_of_sum(root(squared_length(v[0]), determinant(v[1], v[2], v[3])),
-                               root(squared_length(v[1]), determinant(v[2], v[0], v[3])),
-                               root(squared_length(v[2]), determinant(v[0], v[1], v[3])),
-                               root(squared_length(v[3]), determinant(v[1], v[0], v[2])));
+  return delaunay::sign_of_sum(std::array{term(0), term(1), term(2), term(3)});
 }
 
 int in_circle(const Direction& a, const Direction& b, const Direction& c,
               const Direction& p) noexcept {
   if (const int certain = in_circle_filter(a, b, c, p); certain != 0) return certain;
+  if (is_on_coordinate_circle(a, b, c, p)) return 0;
   if (const auto certain = in_circle_integer(a, b, c, p)) return *certain;
+  if (const auto exact = in_circle_of_fixed_points(a, b, c, p)) return *exact;
   return in_circle_exact(a, b, c, p);
 }
 
@@ -205,6 +275,7 @@ bool is_before(const Direction& a, const Direction& b) {
 int cross_sign(double ux, double uy, double vx, double vy) {
   const double left = ux * vy, right = uy * vx;
   if (left != right) return left > right ? 1 : -1;
+  if ((ux == 0 || vy == 0) && (uy == 0 || vx == 0)) return 0;
   const int exponent = delaunay::common_exponent(std::array{ux, uy, vx, vy});
   const auto integer = [exponent](double v) { return Coordinate(v, exponent); };
   return (integer(ux) * integer(vy) - integer(uy) * integer(vx)).sign();
@@ -231,14 +302,14 @@ struct Rows {
   const Direction *first, *second, *third, *fourth;
 };
 
-// The four even orders, by the rank of their first row.
-std::array<Rows, 4> by_rank(const Direction& a, const Direction& b, const Direction& c,
-                            const Direction& p) {
-  std::array<Rows, 4> orders{
+// An even order whose first row is the lowest.
+Rows lowest_first(const Direction& a, const Direction& b, const Direction& c,
+                  const Direction& p) {
+  const std::array<Rows, 4> orders{
       {{&a, &b, &c, &p}, {&b, &c, &a, &p}, {&c, &a, &b, &p}, {&p, &b, &a, &c}}};
-  std::sort(orders.begin(), orders.end(),
-            [](const Rows& s, const Rows& t) { return is_before(*s.first, *t.first); });
-  return orders;
+  return *std::min_element(
+      orders.begin(), orders.end(),
+      [](const Rows& s, const Rows& t) { return is_before(*s.first, *t.first); });
 }
 
 // Minus the cofactors of z, y and x in the first row: the other three rows without
@@ -264,16 +335,15 @@ int break_great_circle_tie(const Rows& rows) {
 //   e_0 >> e_1 >> ... >> f_0 >> f_1 >> ... >> g_0 >> ... >> h_0 >> ...
 // is infinitely smaller than the one before. One perturbation for all sites, so all
 // answers fit together. The first decides whose cofactor is not zero. Four directions
-// of a small circle have no three on a great circle, so there it is e_0; on a great
-// circle all cofactors of the e vanish, and those of f, g or h where the circle is
-// seen edge-on along z, y or x.
+// of a small circle have no three on a great circle, so there it is e_0; where its
+// cofactor vanishes, all four are on a great circle and all cofactors of the e vanish,
+// and those of f, g or h where the circle is seen edge-on along z, y or x.
 int break_tie(const Direction& a, const Direction& b, const Direction& c,
               const Direction& p) noexcept {
-  const std::array<Rows, 4> orders = by_rank(a, b, c, p);
-  for (const auto& [first, second, third, fourth] : orders) {
-    if (const int side = orientation(*second, *third, *fourth); side != 0) return side;
-  }
-  return break_great_circle_tie(orders[0]);
+  const Rows rows = lowest_first(a, b, c, p);
+  if (const int side = orientation(*rows.second, *rows.third, *rows.fourth); side != 0)
+    return side;
+  return break_great_circle_tie(rows);
 }
 
 int in_circle_perturbed(const Direction& a, const Direction& b, const Direction& c,

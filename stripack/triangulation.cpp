@@ -7,63 +7,54 @@
 
 #include "delaunay/closed_hull.hpp"
 #include "delaunay/curve_order.hpp"
+#include "delaunay/defect.hpp"
+#include "delaunay/edge_rings.hpp"
 #include "delaunay/hull_lists.hpp"
+#include "delaunay/instruction_set.hpp"
+#include "delaunay/site_order.hpp"
 #include "delaunay/site_queries.hpp"
 #include "stripack/great_circle.hpp"
 #include "stripack/predicates.hpp"
+#include "stripack/sphere_blocks.hpp"
+#include "stripack/sphere_chart.hpp"
 #include "stripack/sphere_geometry.hpp"
 
 namespace delone::stripack {
 
 namespace {
 
-using delaunay::Chart;
-using delaunay::KeyedRow;
 using delaunay::none;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// The face of the cube around the sphere, and the coordinates on it (gnomonic, -1 .. 1).
-// These are rounded quotients, so triples of one direction get the same ones whatever
-// their length.
-struct CubePoint {
-  std::uint32_t face;
-  Chart chart;
+struct ChartedSphere {
+  std::span<const Direction> points;
+  [[nodiscard]] delaunay::Chart chart(Node row) const {
+    return chart_of(points[at(row)]);
+  }
+  [[nodiscard]] bool less(Node a, Node b) const {
+    const Direction &p = points[at(a)], &q = points[at(b)];
+    if (is_less_u(p, q)) return true;
+    return !is_less_u(q, p) && is_less_v(p, q);
+  }
 };
 
-CubePoint on_cube(const Direction& d) {
-  const double ax = std::abs(d.x()), ay = std::abs(d.y()), az = std::abs(d.z());
-  if (az >= ax && az >= ay) return {d.z() > 0 ? 5u : 0u, {d.x() / az, d.y() / az}};
-  if (ax >= ay) return {d.x() > 0 ? 1u : 3u, {d.y() / ax, d.z() / ax}};
-  return {d.y() > 0 ? 2u : 4u, {d.x() / ay, d.z() / ay}};
+// Half, lune and hemisphere, then the place along the curve of the octant.
+std::uint32_t sphere_key(const Direction& d) {
+  const delaunay::CellScale u(-1, 1, 65536), v(0, 1, 65536);
+  const Octant octant = octant_of(d);
+  const auto [s, t] = chart_of(d);
+  const std::uint32_t cell =
+      delaunay::hilbert_key(u.cell(s), v.cell(octant.is_north != 0 ? t : t + 2));
+  return (octant.half << 2 | octant.lune << 1 | octant.is_north) << 29 | cell >> 3;
 }
 
-// Different directions may have the same rounded chart coordinates.
-struct DirectionOrder {
-  std::span<const Direction> points;
-  [[nodiscard]] bool less(Node a, Node b) const {
-    return lexicographically_less(points[at(a)], points[at(b)]);
-  }
-  [[nodiscard]] bool is_same(Node a, Node b) const {
-    return is_same_direction(points[at(a)], points[at(b)]);
-  }
-};
-
-delaunay::SiteOrder order_sites(std::span<const Direction> points) {
-  constexpr int bits = 14;
-  const delaunay::CellScale scale(-1, 1, 1 << bits);
-  delaunay::Buffer<KeyedRow> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const CubePoint p = on_cube(points[i]);
-    const std::uint32_t x = scale.cell(p.chart[0]) << (16 - bits),
-                        y = scale.cell(p.chart[1]) << (16 - bits);
-    const std::uint32_t key = delaunay::hilbert_key(x, y) >> (32 - 2 * bits);
-    items[i] = KeyedRow{p.face << (2 * bits) | key} << 32 | i;
-  }
-  delaunay::sort_by_key(items);
-  return delaunay::site_order(
-      items, [&](Node row) { return on_cube(points[at(row)]).chart; },
-      DirectionOrder{points});
+delaunay::SiteOrder order_sites(std::span<const Direction> points,
+                                const RunOptions& run) {
+  return delaunay::order_sites(
+      delaunay::sorted_by_key(
+          points.size(), [&](std::size_t i) { return sphere_key(points[i]); }, run),
+      ChartedSphere{points}, run);
 }
 
 // Three sites that are not on one great circle, counter-clockwise; {} if there are none.
@@ -82,8 +73,9 @@ std::vector<Site> first_triangle(std::span<const Direction> points) {
   return {};
 }
 
-Adjacency build(std::span<const Direction> points, const std::vector<Site>& first,
-                const Progress& progress) {
+// By insertion into a closed polyhedron.
+Adjacency build_by_insertion(std::span<const Direction> points,
+                             const std::vector<Site>& first, const Progress& progress) {
   const auto n = static_cast<Site>(points.size());
   auto lists = [&] {
     const SphereGeometry geometry(points);
@@ -104,6 +96,21 @@ Adjacency build(std::span<const Direction> points, const std::vector<Site>& firs
   return Adjacency(std::move(lists));
 }
 
+Adjacency build(std::span<const Direction> points, const std::vector<Site>& first,
+                const delaunay::SiteOrder& order, const RunOptions& run) {
+  using Builder = delaunay::RingBuilder<SphereLanes<delaunay::Portable>>;
+  const auto second =
+      std::partition_point(order.keys.begin(), order.keys.end(),
+                           [](std::uint32_t key) { return key >> 31 == 0; });
+  auto rings = Builder({points.data()}, order, sphere_block_work())
+                   .build_halves(static_cast<Site>(second - order.keys.begin()), run);
+  if (rings) {
+    Adjacency result(delaunay::take_lists(*std::move(rings), run));
+    if (!delaunay::find_euler_defect(result)) return result;
+  }
+  return build_by_insertion(points, first, run.progress);
+}
+
 double squared_chord(const Direction& a, const Direction& b) {
   const double dx = a.x() - b.x(), dy = a.y() - b.y(), dz = a.z() - b.z();
   return dx * dx + dy * dy + dz * dz;
@@ -116,22 +123,42 @@ double squared_sum(const Direction& a, const Direction& b) {
 
 }  // namespace
 
-Triangulation::Triangulation(std::span<const Direction> points,
-                             const RunOptions& options) {
+// What is left of the order are its keys.
+delaunay::SiteOrder Triangulation::number_sites(std::span<const Direction> points,
+                                                const RunOptions& options) {
   delaunay::check_num_points(points.size());
-  delaunay::SiteOrder order = order_sites(points);
+  delaunay::SiteOrder order = order_sites(points, options);
+  points_.resize(order.rows.size());
+  delaunay::for_each_ahead(
+      order.rows, [&](Node row) { return &points[at(row)]; },
+      [&](std::size_t site, const Direction* p) { points_[site] = *p; }, options);
   rows_ = std::move(order.rows);
   sites_ = std::move(order.sites);
-  points_.resize(rows_.size());
-  std::transform(rows_.begin(), rows_.end(), points_.begin(),
-                 [&](Node row) { return points[at(row)]; });
   if (num_sites() < num_rows()) settle_lengths(points);
+  return order;
+}
+
+Triangulation::Triangulation(std::span<const Direction> points,
+                             const RunOptions& options) {
+  const delaunay::SiteOrder order = number_sites(points, options);
   const std::vector<Site> first = first_triangle(points_);
   if (first.empty()) {
     make_chain();
     return;
   }
-  adjacency_ = build(points_, first, options.progress);
+  adjacency_ = build(points_, first, order, options);
+  num_triangles_ = adjacency_.num_triangles();
+  dimension_ = 2;
+}
+
+Triangulation::Triangulation(std::span<const Direction> points, const RunOptions& options,
+                             const KnownTopology& topology) {
+  number_sites(points, options);
+  if (first_triangle(points_).empty()) {
+    make_chain();
+    return;
+  }
+  adjacency_ = topology(rows_);
   num_triangles_ = adjacency_.num_triangles();
   dimension_ = 2;
 }

@@ -2,12 +2,17 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "delaunay/adjacency.hpp"
 #include "delaunay/options.hpp"
 #include "stripack/direction.hpp"
+
+namespace delone::delaunay {
+struct SiteOrder;
+}
 
 namespace delone::stripack {
 
@@ -90,6 +95,14 @@ class Triangulation {
   [[nodiscard]] Site nearest_site(const Direction& p, Site start = 0) const;
 
  private:
+  friend class Editor;
+  /// Lists of the sites whose first rows are given, for points whose triangulation is
+  /// known already. Not asked for if there are no triangles.
+  using KnownTopology = std::function<Adjacency(std::span<const Node> rows)>;
+  Triangulation(std::span<const Direction> points, const RunOptions& options,
+                const KnownTopology& topology);
+  delaunay::SiteOrder number_sites(std::span<const Direction> points,
+                                   const RunOptions& options);
   void settle_lengths(std::span<const Direction> points);
   void make_chain();
   [[nodiscard]] Site nearest_beyond_90_degrees(const Direction& p, Site start) const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "delaunay/defect.hpp"
+#include "delaunay/ring_check.hpp"
 #include "tripack/predicates.hpp"
 
 namespace delone::tripack {
@@ -90,6 +91,31 @@ Defect find_missing_triangles(const Plane& plane, Site n) {
          " are not on one line";
 }
 
+Defect find_infinite(std::span<const Point2> points) {
+  const auto bad = std::find_if(points.begin(), points.end(), [](Point2 p) {
+    return !std::isfinite(p.x) || !std::isfinite(p.y);
+  });
+  if (bad == points.end()) return std::nullopt;
+  return "row " + std::to_string(bad - points.begin()) + " is not finite";
+}
+
+// Lists without triangles must be those of the chain.
+Defect find_list_chain_defect(std::span<const Point2> points,
+                              const delaunay::NeighborRings& lists) {
+  const Triangulation chain(points);
+  for (Node row = 0; row < chain.num_rows(); ++row) {
+    std::vector<Node> list = lists[static_cast<std::size_t>(row)];
+    if (list.empty() && chain.rows()[static_cast<std::size_t>(
+                            chain.sites()[static_cast<std::size_t>(row)])] != row)
+      continue;
+    if (!std::ranges::is_permutation(list, chain.neighbors(row))) {
+      return "row " + std::to_string(row) +
+             " is not joined to its neighbours along the chain";
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Defect find_defect(const Triangulation& t) {
@@ -111,12 +137,7 @@ Defect find_defect(const Triangulation& t) {
 
 Defect find_defect(std::span<const Point2> points,
                    std::span<const std::array<std::int32_t, 3>> triangles) {
-  const auto bad = std::find_if(points.begin(), points.end(), [](Point2 p) {
-    return !std::isfinite(p.x) || !std::isfinite(p.y);
-  });
-  if (bad != points.end()) {
-    return "row " + std::to_string(bad - points.begin()) + " is not finite";
-  }
+  if (auto defect = find_infinite(points)) return defect;
   const auto positions = delaunay::merge_positions(points, is_before);
   const auto sites = gather(points, positions.rows);
   const Plane plane(sites, positions.rows, Ties::any);
@@ -125,6 +146,21 @@ Defect find_defect(std::span<const Point2> points,
   auto list = delaunay::site_triangles(triangles, positions);
   if (list.defect) return list.defect;
   return delaunay::find_list_defect(std::move(list.triangles), positions.rows, plane);
+}
+
+Defect find_defect(std::span<const Point2> points, const delaunay::NeighborRings& lists) {
+  if (lists.size() != points.size()) {
+    return std::to_string(lists.size()) + " lists of neighbours for " +
+           std::to_string(points.size()) + " points";
+  }
+  if (auto defect = find_infinite(points)) return defect;
+  if (auto defect = delaunay::find_list_entry_defect(lists)) return defect;
+  const auto at = [&](Node row) { return points[static_cast<std::size_t>(row)]; };
+  const auto found = delaunay::triangles_of_lists(
+      lists, [&](Node a, Node b, Node c) { return orientation(at(a), at(b), at(c)); });
+  if (found.defect) return found.defect;
+  if (auto defect = find_defect(points, found.triangles)) return defect;
+  return found.triangles.empty() ? find_list_chain_defect(points, lists) : std::nullopt;
 }
 
 }  // namespace delone::tripack

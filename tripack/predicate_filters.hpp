@@ -33,7 +33,8 @@ inline constexpr double orientation_bound = 3.25 * rounding_unit;
 /// sqrt(ab) <= ab + bc + ca.
 inline constexpr double in_circle_bound = 10.25 * rounding_unit;
 
-[[nodiscard]] inline int orientation_filter(Point2 a, Point2 b, Point2 c) noexcept {
+[[nodiscard, gnu::always_inline]] inline int orientation_filter(Point2 a, Point2 b,
+                                                                Point2 c) noexcept {
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);
   const double det = left - right;

@@ -7,20 +7,19 @@
 #include <string>
 #include <utility>
 
-#include "delaunay/closed_hull.hpp"
 #include "delaunay/curve_order.hpp"
+#include "delaunay/edge_rings.hpp"
 #include "delaunay/error.hpp"
-#include "delaunay/hull_lists.hpp"
+#include "delaunay/instruction_set.hpp"
+#include "delaunay/site_order.hpp"
 #include "delaunay/site_queries.hpp"
-#include "delaunay/wide_integer.hpp"
-#include "tripack/plane_geometry.hpp"
+#include "tripack/plane_blocks.hpp"
 #include "tripack/predicates.hpp"
 
 namespace delone::tripack {
 
 namespace {
 
-using delaunay::KeyedRow;
 using delaunay::none;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -34,6 +33,10 @@ void check(std::span<const Point2> points) {
                     ": a coordinate is not a finite number; remove the row",
                 {row});
   }
+}
+
+bool lexicographically_less(Point2 a, Point2 b) {
+  return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
 struct Box {
@@ -50,67 +53,71 @@ Box bounding_box(std::span<const Point2> points) {
   return box;
 }
 
-// Equal on the chart is equal: it holds both coordinates.
-struct WholeChart {
-  [[nodiscard]] static bool less(Node, Node) { return false; }
-  [[nodiscard]] static bool is_same(Node, Node) { return true; }
+// In the plane the chart is the coordinates themselves.
+struct ChartedPlane {
+  std::span<const Point2> points;
+  [[nodiscard]] delaunay::Chart chart(Node row) const {
+    return {points[at(row)].x, points[at(row)].y};
+  }
+  [[nodiscard]] bool less(Node a, Node b) const {
+    return lexicographically_less(points[at(a)], points[at(b)]);
+  }
 };
 
-delaunay::SiteOrder order_sites(std::span<const Point2> points) {
+delaunay::SiteOrder order_sites(std::span<const Point2> points, const RunOptions& run) {
   constexpr double cells = 65536;
   const Box box = bounding_box(points);
   const double half = std::max(delaunay::half_extent(box.low_x, box.high_x),
                                delaunay::half_extent(box.low_y, box.high_y));
   const delaunay::CellScale x(box.low_x, half, cells), y(box.low_y, half, cells);
-  delaunay::Buffer<KeyedRow> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    items[i] = KeyedRow{delaunay::hilbert_key(x.cell(points[i].x), y.cell(points[i].y))}
-                   << 32 |
-               i;
+  return delaunay::order_sites(delaunay::sorted_by_key(
+                                   points.size(),
+                                   [&](std::size_t i) {
+                                     return delaunay::hilbert_key(x.cell(points[i].x),
+                                                                  y.cell(points[i].y));
+                                   },
+                                   run),
+                               ChartedPlane{points}, run);
+}
+
+bool is_on_one_line(std::span<const Point2> points) {
+  return points.size() < 3 || std::all_of(points.begin(), points.end(), [&](Point2 p) {
+           return orientation(points[0], points[1], p) == 0;
+         });
+}
+
+// The lowest bit that is set in a number, as a power of two; 0 for 0.
+double lowest_bit(double v) {
+  if (v == 0) return 0;
+  int exponent = 0;
+  const auto mantissa =
+      static_cast<std::int64_t>(std::ldexp(std::frexp(v, &exponent), 53));
+  return std::ldexp(static_cast<double>(mantissa & -mantissa), exponent - 53);
+}
+
+// The largest power of two of which all coordinates are multiples (lattices, whole
+// numbers, pixels), or 0 where it is too small beside the spacing of the points for their
+// products to be exact.
+double lattice_unit(std::span<const Point2> points, const Box& box) {
+  const double extent = std::max(box.high_x - box.low_x, box.high_y - box.low_y);
+  const double spacing = extent / std::sqrt(static_cast<double>(points.size()));
+  const double least = std::max(spacing * 0x1p-11, 0x1p-200);
+  double unit = 0x1p200;
+  for (const Point2 p : points) {
+    for (const double v : {p.x, p.y}) {
+      if (v != 0) unit = std::min(unit, lowest_bit(v));
+    }
+    if (unit < least) return 0;
   }
-  delaunay::sort_by_key(items);
-  return delaunay::site_order(
-      items,
-      [&](Node row) {
-        return delaunay::Chart{points[at(row)].x, points[at(row)].y};
-      },
-      WholeChart{});
+  return unit;
 }
 
-// The first three sites that are not on one line; {} if there are none.
-std::vector<Site> first_triangle(std::span<const Point2> points) {
-  for (std::size_t i = 2; i < points.size(); ++i) {
-    const int s = orientation(points[0], points[1], points[i]);
-    if (s > 0) return {0, 1, static_cast<Site>(i)};
-    if (s < 0) return {1, 0, static_cast<Site>(i)};
-  }
-  return {};
-}
-
-Adjacency build(std::span<const Point2> points, const std::vector<Site>& first,
-                const Progress& progress) {
-  const auto n = static_cast<Site>(points.size());
-  auto lists = [&] {
-    const PlaneGeometry geometry(points);
-    delaunay::ClosedHull hull(geometry, n + 1);
-    const Site a = first[0], b = first[1], c = first[2], infinity = geometry.infinity();
-    const std::array<std::array<Site, 3>, 4> start{
-        {{a, b, c}, {b, a, infinity}, {c, b, infinity}, {a, c, infinity}}};
-    hull.start(start);
-    ProgressMeter meter(progress, n);
-    delaunay::for_each_in_insertion_order(n, [&](Site q) {
-      meter.step();
-      if (q != a && q != b && q != c) hull.insert(q);
-    });
-    return delaunay::HullLists(
-               hull, n, [&](const delaunay::Face& f) { return geometry.is_front(f); })
-        .build();
-  }();
-  return Adjacency(std::move(lists));
-}
-
-bool lexicographically_less(Point2 a, Point2 b) {
-  return a.x < b.x || (a.x == b.x && a.y < b.y);
+Adjacency build(std::span<const Point2> points, const delaunay::SiteOrder& order,
+                const RunOptions& run) {
+  using Builder = delaunay::RingBuilder<PlaneLanes<delaunay::Portable>>;
+  const PlanePoints plane{points.data(), lattice_unit(points, bounding_box(points))};
+  return Adjacency(
+      delaunay::take_lists(Builder(plane, order, plane_block_work()).build(run), run));
 }
 
 double squared_distance(Point2 a, Point2 b) {
@@ -120,47 +127,32 @@ double squared_distance(Point2 a, Point2 b) {
 
 }  // namespace
 
-LocalFrame::LocalFrame(std::span<const Point2> points) {
-  const Box box = bounding_box(points);
-  center_ = {box.low_x / 2 + box.high_x / 2, box.low_y / 2 + box.high_y / 2};
-  const double half =
-      std::max({box.high_x - center_.x, center_.x - box.low_x, box.high_y - center_.y,
-                center_.y - box.low_y, std::numeric_limits<double>::min()});
-  scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(half) - 1));
-}
+Triangulation::Triangulation(std::span<const Point2> points, const RunOptions& options)
+    : Triangulation(points, options,
+                    [&](const Triangulation& t, const delaunay::SiteOrder& order) {
+                      return build(t.points_, order, options);
+                    }) {}
 
-double LocalFrame::lattice_unit(std::span<const Point2> points) const noexcept {
-  constexpr double cells = 0x1p26;
-  std::int64_t bits = 0;
-  const auto add = [&](double v, double center) {
-    const delaunay::TwoTerms local = delaunay::exact_difference(v, center);
-    const double steps = local.value * scale_ * cells;
-    const auto whole = static_cast<std::int64_t>(steps);
-    bits |= whole;
-    return local.tail == 0 && static_cast<double>(whole) == steps;
-  };
-  for (const Point2 p : points) {
-    if (!add(p.x, center_.x) || !add(p.y, center_.y)) return 0;
-  }
-  return bits == 0 ? 1 : static_cast<double>(bits & -bits) / cells;
-}
-
-Triangulation::Triangulation(std::span<const Point2> points, const RunOptions& options) {
+Triangulation::Triangulation(std::span<const Point2> points, const RunOptions& options,
+                             const TopologyOf& topology) {
   check(points);
-  delaunay::SiteOrder order = order_sites(points);
+  delaunay::SiteOrder order = order_sites(points, options);
+  points_.resize(order.rows.size());
+  // Adding +0 turns -0 into +0: equal positions have equal bits.
+  delaunay::for_each_ahead(
+      order.rows, [&](Node row) { return &points[at(row)]; },
+      [&](std::size_t site, const Point2* p) {
+        points_[site] = {p->x + 0.0, p->y + 0.0};
+      },
+      options);
+  const bool is_flat = points_.size() < 3 || is_on_one_line(points_);
+  if (!is_flat) adjacency_ = topology(*this, order);
   rows_ = std::move(order.rows);
   sites_ = std::move(order.sites);
-  points_.resize(rows_.size());
-  // Adding +0 turns -0 into +0: equal positions have equal bits.
-  std::transform(rows_.begin(), rows_.end(), points_.begin(), [&](Node row) {
-    return Point2{points[at(row)].x + 0.0, points[at(row)].y + 0.0};
-  });
-  const std::vector<Site> first = first_triangle(points_);
-  if (first.empty()) {
+  if (is_flat) {
     make_chain();
     return;
   }
-  adjacency_ = build(points_, first, options.progress);
   num_triangles_ = adjacency_.num_triangles();
   dimension_ = 2;
 }

@@ -2,12 +2,17 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "delaunay/adjacency.hpp"
 #include "delaunay/options.hpp"
 #include "tripack/point.hpp"
+
+namespace delone::delaunay {
+struct SiteOrder;
+}
 
 namespace delone::tripack {
 
@@ -85,6 +90,13 @@ class Triangulation {
   [[nodiscard]] Site nearest_site(Point2 p, Site start = 0) const;
 
  private:
+  friend class Editor;
+  /// Makes the topology, once points() and the order are known, unless points are in
+  /// line.
+  using TopologyOf =
+      std::function<Adjacency(const Triangulation&, const delaunay::SiteOrder&)>;
+  Triangulation(std::span<const Point2> points, const RunOptions& options,
+                const TopologyOf& topology);
   void make_chain();
   [[nodiscard]] Location locate_in_chain(Point2 p) const;
 

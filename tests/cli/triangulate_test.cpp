@@ -197,7 +197,7 @@ TEST(Nearest, GivesTheNodeAndItsDistance) {
   const Outcome outcome =
       run({"nearest", points, folder.write("q.csv", "x,y\n4,4\n0,0\n4,0\n")});
   expect_success(outcome);
-  EXPECT_EQ(outcome.out, "x,y,node,distance\n4,4,1,5\n0,0,0,0\n4,0,1,3\n");
+  EXPECT_EQ(outcome.out, "x,y,node,distance\n4,4,2,5\n0,0,0,0\n4,0,1,3\n");
 }
 
 TEST(Nearest, MeasuresKilometresOnTheGlobe) {

@@ -7,9 +7,9 @@
 namespace delone::test {
 namespace {
 
-const std::vector<std::string> subcommands{"grid",  "sample", "triangulate",
-                                           "hull",  "locate", "nearest",
-                                           "check", "info",   "plot"};
+const std::vector<std::string> subcommands{"grid",   "sample",  "triangulate", "hull",
+                                           "locate", "nearest", "check",       "info",
+                                           "plot",   "block",   "voronoi"};
 
 TEST(Usage, VersionIsTheProjects) {
   const Outcome outcome = run({"--version"});
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, WrongUsage,
     testing::Values(
         std::vector<std::string>{"subcommand"},
-        std::vector<std::string>{"voronoi", "voronoi", "p.csv", "-o", "x.csv"},
+        std::vector<std::string>{"krige", "krige", "p.csv", "-o", "x.csv"},
         std::vector<std::string>{"--nonsense", "grid", "p.csv", "-o", "x.nc",
                                  "--nonsense"},
         std::vector<std::string>{"--output", "grid", "p.csv"},

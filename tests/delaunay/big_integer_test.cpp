@@ -106,5 +106,30 @@ TEST(BigInteger, MakesZeroOfZeroFactorsAndOfEqualTerms) {
   EXPECT_EQ((zero - nine).sign(), -1);
 }
 
+TEST(BigInteger, GivesItsLeading53Bits) {
+  using Long = BigInteger<20>;
+  const auto value = [](const auto& n) {
+    const auto [mantissa, exponent] = n.leading();
+    return std::ldexp(mantissa, exponent);
+  };
+  for (const double v : {1.0, -1.0, 3.0, 0x1.fffffffffffffp52, -0x1.fffffffffffffp200,
+                         0x1p63, 0x1p64, 0x1.8p127, 0x1.0000000000001p116, 0.0}) {
+    EXPECT_EQ(value(Long(v, 0)), v);
+    EXPECT_EQ(value(Long(v, 0) * Long(0x1p300, 0)), v * 0x1p300);
+  }
+  // Further bits are cut off.
+  EXPECT_EQ(value(Long(0x1p100, 0) - Long(1, 0)), 0x1.fffffffffffffp99);
+  EXPECT_EQ(value(Long(0x1p100, 0) + Long(1, 0)), 0x1p100);
+}
+
+TEST(BigInteger, MultipliesNumbersThatAreMostlyZeros) {
+  using Long = BigInteger<20>;
+  const auto sparse = Long(0x1.8p640, 0) + Long(5, 0);
+  const auto square = sparse * sparse;
+  const auto expected =
+      Long(0x1.2p640, 0) * Long(0x2p640, 0) + Long(0x1.ep643, 0) + Long(25, 0);
+  EXPECT_TRUE(square == expected);
+}
+
 }  // namespace
 }  // namespace delone::delaunay

@@ -71,5 +71,61 @@ TEST(SignOfRootSum, DoesNotDependOnTheOrderOfTheTerms) {
   }
 }
 
+RootTerm<3, 2> term(std::int64_t factor, std::int64_t square, int scale) {
+  const auto sign = static_cast<double>(factor < 0 ? -1 : 1);
+  return {
+      BigInteger<2>(sign * std::ldexp(std::abs(static_cast<double>(factor)), scale), 0) +
+          BigInteger<2>(0, 0),
+      {static_cast<double>(square), 0}};
+}
+
+TEST(SignOfRootTerms, AgreesWithTheirSquares) {
+  support::SplitMix64 random(72);
+  int num_estimated = 0, num_zero = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::array<RootTerm<3, 2>, 4> terms{};
+    std::array<SignedRoot<2>, 4> roots{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto factor = static_cast<std::int64_t>(random.below(9)) - 4;
+      const auto square = 1 + static_cast<std::int64_t>(random.below(5));
+      terms[k] = term(factor, square, 0);
+      roots[k] = root(factor * std::abs(factor) * square);
+    }
+    const int expected = sign_of_sum(roots[0], roots[1], roots[2], roots[3]);
+    ASSERT_EQ(sign_of_sum(terms), expected);
+    const auto estimate = estimated_sign_of_sum(terms);
+    ASSERT_EQ(estimate.value_or(expected), expected);
+    num_estimated += estimate ? 1 : 0;
+    num_zero += expected == 0 ? 1 : 0;
+  }
+  EXPECT_GT(num_zero, 100);
+  EXPECT_GT(num_estimated, 20000 - 2 * num_zero);
+}
+
+TEST(SignOfRootTerms, IsNotEstimatedWhereOneUnitInTheLastPlaceDecides) {
+  // 3 sqrt 4 - 2 sqrt 9, its first term a little larger.
+  const auto nearly = [](double more) {
+    return std::array<RootTerm<3, 2>, 4>{
+        RootTerm<3, 2>{BigInteger<2>(0x3p60, 0) + BigInteger<2>(more, 0), {4, 0}},
+        term(-2, 9, 60), term(0, 1, 0), term(0, 1, 0)};
+  };
+  EXPECT_FALSE(estimated_sign_of_sum(nearly(1)).has_value());
+  EXPECT_EQ(sign_of_sum(nearly(1)), 1);
+  EXPECT_EQ(sign_of_sum(nearly(-1)), -1);
+  EXPECT_EQ(sign_of_sum(nearly(0)), 0);
+  EXPECT_EQ(estimated_sign_of_sum(nearly(0x1p30)), 1);
+}
+
+TEST(SignOfRootTerms, HoldsTermsOfAnyMagnitude) {
+  const auto of = [](double huge, double tiny) {
+    using Term = RootTerm<17, 1>;
+    return std::array<Term, 4>{Term{{huge, -1060}, {1, 0}}, Term{{tiny, -1060}, {3, 0}},
+                               Term{{0, 0}, {1, 0}}, Term{{0, 0}, {1, 0}}};
+  };
+  EXPECT_EQ(sign_of_sum(of(1, -0x1p-1060)), 1);
+  EXPECT_EQ(sign_of_sum(of(-0x1p-1060, 1)), 1);
+  EXPECT_EQ(sign_of_sum(of(0, -0x1p-1060)), -1);
+}
+
 }  // namespace
 }  // namespace delone::delaunay

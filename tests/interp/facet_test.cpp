@@ -12,11 +12,11 @@ namespace {
 
 TEST(DoubleDouble, ProductsAndSumsAreExactForDoubles) {
   const double a = 1 + 0x1p-52, b = 1 - 0x1p-53;
-  const DoubleDouble product = exact_product(a, b);
+  const DoubleDouble product = delaunay::two_product(a, b);
   // (1 + 2^-52)(1 - 2^-53) = 1 + 2^-53 - 2^-105
   EXPECT_EQ(product.high + product.low, product.high);
   EXPECT_EQ((product - DoubleDouble{1, 0}).rounded(), 0x1p-53 - 0x1p-105);
-  const DoubleDouble sum = exact_sum(1, 0x1p-80);
+  const DoubleDouble sum = delaunay::two_sum(1, 0x1p-80);
   EXPECT_EQ(sum.high, 1);
   EXPECT_EQ(sum.low, 0x1p-80);
 }

@@ -258,6 +258,17 @@ TEST(RenderMap, SaysThatThereAreNoValues) {
   EXPECT_EQ(color_count(sequential_colormap().back()), 0) << "no colour bar";
 }
 
+TEST(RenderMap, TitlesAColumnWithItsUnitInBrackets) {
+  auto grid = plane_grid(2, 2, {1, 2, 3, 4});
+  grid.info.name = grid.info.long_name = "geoid_m";
+  grid.info.units = "m";
+  EXPECT_EQ(render_map(grid, {}, PictureFormat::svg),
+            render_map(grid, {.title = "geoid (m)"}, PictureFormat::svg));
+  grid.info.long_name = "height of the geoid";
+  EXPECT_EQ(render_map(grid, {}, PictureFormat::svg),
+            render_map(grid, {.title = "height of the geoid"}, PictureFormat::svg));
+}
+
 TEST(RenderMap, DrawsAnyText) {
   auto grid = plane_grid(2, 2, {1, 2, 3, 4});
   grid.info.units = "H\xf6he";

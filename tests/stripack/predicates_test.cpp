@@ -59,6 +59,9 @@ void expect_exact(const Quadruple& q) {
   if (const auto sign = in_circle_integer(a, b, c, p)) {
     EXPECT_EQ(*sign, inside) << text();
   }
+  if (const auto sign = in_circle_of_fixed_points(a, b, c, p)) {
+    EXPECT_EQ(*sign, inside) << text();
+  }
   EXPECT_EQ(in_circle_exact(a, b, c, p), inside) << text();
   EXPECT_EQ(in_circle(a, b, c, p), inside) << text();
 }
@@ -450,6 +453,42 @@ TEST(SphereInCircleInteger, LeavesExactTiesToTheLastRung) {
   EXPECT_EQ(in_circle_filter(at(-1, 5), at(1, 5), at(1, 6), at(-1, 6)), 0);
   EXPECT_FALSE(in_circle_integer(at(-1, 5), at(1, 5), at(1, 6), at(-1, 6)).has_value());
   EXPECT_EQ(in_circle_exact(at(-1, 5), at(1, 5), at(1, 6), at(-1, 6)), 0);
+}
+
+// Cells between two mirrors: equal lengths in pairs, all determinants cancel.
+TEST(SphereInCircleOfFixedPoints, DecidesTies) {
+  SplitMix64 random(65);
+  const auto at = [](double lon, double lat) {
+    return Direction::from({.lon_deg = lon, .lat_deg = lat});
+  };
+  int num_decided = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double lon = random.between(1, 80), south = random.between(1, 80),
+                 north = south + 5;
+    const Quadruple cell{at(-lon, south), at(lon, south), at(lon, north),
+                         at(-lon, north)};
+    const Quadruple equator{at(-lon, 0), at(south, 0), at(north, 0), at(lon + 90, 0)};
+    for (const Quadruple& q : {cell, equator}) {
+      const auto sign = in_circle_of_fixed_points(q[0], q[1], q[2], q[3]);
+      EXPECT_EQ(sign.value_or(0), 0);
+      EXPECT_EQ(in_circle_exact(q[0], q[1], q[2], q[3]), 0);
+      num_decided += sign ? 1 : 0;
+    }
+  }
+  EXPECT_GT(num_decided, 1800);
+}
+
+TEST(SphereInCircleOfFixedPoints, LeavesLengthsThatMatterToTheLastRung) {
+  // A tie whose one direction is longer by an ulp in one component.
+  const auto at = [](double x, double y, double z) { return Direction::from(x, y, z); };
+  const Direction a = at(0.6, 0.8, 0), b = at(-0.6, 0.8, 0), c = at(-0.8, 0.6, 0);
+  const Direction longer = at(std::nextafter(0.8, 1), 0.6, 0);
+  EXPECT_EQ(in_circle_of_fixed_points(a, b, c, longer), 0);  // one great circle
+  const Direction d = at(0.6, 0, 0.8), e = at(-0.6, 0, 0.8);
+  expect_exact({a, b, e, d});
+  expect_exact({at(std::nextafter(0.6, 1), 0.8, 0), b, e, d});
+  expect_exact({at(0.6, std::nextafter(0.8, 1), 0), b, e, d});
+  expect_exact({a, at(-0.6, std::nextafter(0.8, 0), 0), e, d});
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+#include "stripack/editor.hpp"
+
+#include <span>
+#include <utility>
+
+#include "delaunay/editable_set.hpp"
+#include "stripack/sphere_editing.hpp"
+
+namespace delone::stripack {
+
+struct Editor::State {
+  delaunay::EditableSet<SphereEditing> set;
+};
+
+Editor::Editor() : state_(std::make_unique<State>()) {}
+Editor::Editor(const Triangulation& t)
+    : state_(std::make_unique<State>(State{delaunay::EditableSet<SphereEditing>(t)})) {}
+Editor::Editor(const Editor& other) : state_(std::make_unique<State>(*other.state_)) {}
+Editor::Editor(Editor&& other) noexcept = default;
+Editor& Editor::operator=(const Editor& other) {
+  *state_ = *other.state_;
+  return *this;
+}
+Editor& Editor::operator=(Editor&& other) noexcept = default;
+Editor::~Editor() = default;
+
+Node Editor::insert(const Direction& p, Node hint) { return state_->set.insert(p, hint); }
+void Editor::remove(Node row) { state_->set.remove(row); }
+void Editor::move(Node row, const Direction& p) { state_->set.move(row, p); }
+
+Node Editor::num_rows() const noexcept { return state_->set.num_rows(); }
+Node Editor::num_points() const noexcept { return state_->set.num_points(); }
+Site Editor::num_sites() const noexcept { return state_->set.num_sites(); }
+bool Editor::has(Node row) const noexcept { return state_->set.has(row); }
+Direction Editor::point(Node row) const { return state_->set.point(row); }
+std::vector<Node> Editor::rows() const { return state_->set.rows(); }
+std::vector<Direction> Editor::points() const { return state_->set.points(); }
+
+Triangulation Editor::triangulation() const {
+  const auto& set = state_->set;
+  return {set.points(), RunOptions{},
+          [&](std::span<const Node> first) { return set.adjacency(set.rows(), first); }};
+}
+
+}  // namespace delone::stripack

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "delaunay/editable_surface.hpp"
+#include "stripack/direction.hpp"
+#include "stripack/predicates.hpp"
+#include "stripack/triangulation.hpp"
+
+namespace delone::stripack {
+
+/// The sphere for delaunay::EditableSet: the surface is the whole polyhedron, the faces
+/// outside of a hemispherical set included.
+struct SphereEditing {
+  using Point = Direction;
+  using Key = std::array<double, 3>;
+  using Triangulation = stripack::Triangulation;
+  static constexpr bool has_infinity = false;
+
+  static bool sees(std::span<const Direction> points, const std::array<Site, 3>& corner,
+                   const Direction& q) noexcept {
+    return in_circle_perturbed(point(points, corner[0]), point(points, corner[1]),
+                               point(points, corner[2]), q) > 0;
+  }
+  static bool is_front(std::span<const Direction> points,
+                       const std::array<Site, 3>& corner) noexcept {
+    return orientation(point(points, corner[0]), point(points, corner[1]),
+                       point(points, corner[2])) > 0;
+  }
+  static int side(const Direction& a, const Direction& b, const Direction& q) noexcept {
+    return orientation(a, b, q);
+  }
+  static bool is_same(const Direction& p, const Direction& q) noexcept;
+  static bool is_flat(std::span<const Direction> points,
+                      std::span<const Site> nodes) noexcept;
+  /// Rounded quotients: triples of one direction have the same whatever their length.
+  static Key key(const Direction& d) noexcept;
+  /// One direction may come as triples of lengths an ulp apart; the lowest stands for
+  /// all.
+  static bool is_preferred(const Direction& p, const Direction& q) noexcept;
+
+  /// The square that an octahedron unfolds to, for the index of places.
+  class Chart {
+   public:
+    Chart(std::span<const Direction>, const Direction&) noexcept {}
+    [[nodiscard]] static bool covers(const Direction&) noexcept { return true; }
+    [[nodiscard]] static delaunay::Place place(const Direction& d) noexcept;
+  };
+
+  /// The neighbours of a node that goes. The perturbed predicate answers for every four.
+  class Star {
+   public:
+    Star(std::span<const Direction> points, Site, std::span<const Site> rim);
+    [[nodiscard]] bool sees(const std::array<Site, 3>& corner, Site q) const noexcept {
+      return SphereEditing::sees(rim_, corner, point(rim_, q));
+    }
+
+   private:
+    std::vector<Direction> rim_;
+  };
+
+ private:
+  static const Direction& point(std::span<const Direction> points, Site v) noexcept {
+    return points[static_cast<std::size_t>(v)];
+  }
+};
+
+}  // namespace delone::stripack

@@ -1,0 +1,16 @@
+// Any directions and any edits: an editor holds the triangulation of its points.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "fuzz/fuzz_edits.hpp"
+#include "stripack/editor.hpp"
+
+using delone::stripack::Editor;
+using delone::stripack::Triangulation;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto points = delone::fuzz::sphere_points({data, size});
+  delone::fuzz::run_edits<Triangulation, Editor>(points, {data, size});
+  return 0;
+}

@@ -1,0 +1,157 @@
+// Hashes of triangulations, and foreign neighbour lists.
+
+#include "tripack/hash.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "delaunay/error.hpp"
+#include "support/plane_sets.hpp"
+#include "support/random.hpp"
+#include "tripack/defect.hpp"
+
+namespace delone::tripack {
+namespace {
+
+using Points = std::vector<Point2>;
+using Lists = delaunay::NeighborRings;
+
+class PlaneHash : public testing::TestWithParam<support::PlaneFamily> {};
+
+TEST_P(PlaneHash, OfPositionsDependsNeitherOnOrderNorOnRepeats) {
+  for (const std::size_t n : {1, 2, 3, 9, 80}) {
+    Points points = GetParam().make(n, 4);
+    const Hash hash = hash_of_positions(Triangulation(points));
+    EXPECT_EQ(hash, hash_of_positions(Triangulation(support::shuffled(points, 5))));
+    if (points.empty()) continue;
+    points.push_back(points[points.size() / 2]);
+    EXPECT_EQ(hash, hash_of_positions(Triangulation(points)));
+  }
+}
+
+TEST_P(PlaneHash, OfAForeignListIsThatOfTheTriangulation) {
+  const Points points = GetParam().make(80, 4);
+  const Triangulation t(points);
+  auto triangles = support::shuffled(t.triangles(), 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (i % 2 == 0)
+      std::rotate(triangles[i].begin(), triangles[i].begin() + 1, triangles[i].end());
+    if (i % 3 == 0) std::swap(triangles[i][0], triangles[i][2]);
+  }
+  EXPECT_EQ(hash_of_positions(points, triangles), hash_of_positions(t));
+  if (triangles.empty()) return;
+  triangles.pop_back();
+  EXPECT_NE(hash_of_positions(points, triangles), hash_of_positions(t));
+}
+
+// The lists of all rows, interior ones turned, and where `is_mirrored` backwards.
+Lists lists_of(const Triangulation& t, bool is_mirrored) {
+  Lists lists;
+  for (Node row = 0; row < t.num_rows(); ++row) {
+    std::vector<Node> list;
+    const Site s = t.sites()[static_cast<std::size_t>(row)];
+    if (t.rows()[static_cast<std::size_t>(s)] == row) list = t.neighbors(row);
+    std::rotate(list.begin(),
+                list.begin() + row % std::max<std::ptrdiff_t>(1, std::ssize(list)),
+                list.end());
+    if (is_mirrored) std::ranges::reverse(list);
+    lists.push_back(list);
+  }
+  return lists;
+}
+
+class PlaneLists : public testing::TestWithParam<support::PlaneFamily> {};
+
+TEST_P(PlaneLists, OfOurTriangulationsHaveNoDefect) {
+  for (const std::size_t n : {1, 2, 3, 4, 5, 9, 80}) {
+    for (const bool is_mirrored : {false, true}) {
+      const Points points = GetParam().make(n, 4);
+      const Lists lists = lists_of(Triangulation(points), is_mirrored);
+      EXPECT_EQ(find_defect(points, lists).value_or("none"), "none") << n;
+    }
+  }
+}
+
+TEST_P(PlaneLists, WithAnArcLessHaveOne) {
+  const Points points = GetParam().make(60, 4);
+  const Triangulation t(points);
+  Lists lists = lists_of(t, false);
+  if (t.num_sites() < 2) return;
+  const Node row = t.rows()[0];
+  const Node other = lists[static_cast<std::size_t>(row)].front();
+  std::erase(lists[static_cast<std::size_t>(row)], other);
+  EXPECT_NE(find_defect(points, lists).value_or("none"), "none");
+  std::erase(lists[static_cast<std::size_t>(other)], row);
+  EXPECT_NE(find_defect(points, lists).value_or("none"), "none");
+}
+
+INSTANTIATE_TEST_SUITE_P(Plane, PlaneHash,
+                         testing::ValuesIn(support::plane_families().begin(),
+                                           support::plane_families().end()),
+                         [](const auto& family) {
+                           return std::string(family.param.name);
+                         });
+INSTANTIATE_TEST_SUITE_P(Plane, PlaneLists,
+                         testing::ValuesIn(support::plane_families().begin(),
+                                           support::plane_families().end()),
+                         [](const auto& family) {
+                           return std::string(family.param.name);
+                         });
+
+TEST(PlaneHash, OfRowsTellsTheOrderOfRows) {
+  const Points points = support::uniform_points(40, 1);
+  const Points mixed = support::shuffled(points, 2);
+  EXPECT_EQ(hash_of_rows(Triangulation(points)), hash_of_rows(Triangulation(points)));
+  EXPECT_NE(hash_of_rows(Triangulation(points)), hash_of_rows(Triangulation(mixed)));
+}
+
+TEST(PlaneHash, DiffersForDifferentPoints) {
+  std::set<Hash> seen;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    for (const std::size_t n : {1, 2, 3, 4, 17})
+      seen.insert(hash_of_positions(Triangulation(support::uniform_points(n, seed))));
+  }
+  EXPECT_EQ(seen.size(), 1000u);
+  EXPECT_EQ(delaunay::to_string(Hash{0x0123456789abcdefu, 15}),
+            "0123456789abcdef000000000000000f");
+}
+
+TEST(PlaneHash, RefusesTrianglesOfRowsThatAreNotThere) {
+  const Points points = support::uniform_points(4, 1);
+  const std::vector<std::array<std::int32_t, 3>> triangles{{0, 1, 4}};
+  EXPECT_THROW(static_cast<void>(hash_of_positions(points, triangles)), Error);
+}
+
+TEST(PlaneLists, AreNamedWhereTheyAreWrong) {
+  const Points points = support::uniform_points(4, 7);
+  const auto defect = [&](const Lists& lists) {
+    return find_defect(points, lists).value_or("none");
+  };
+  EXPECT_EQ(defect({{1}, {0}}), "2 lists of neighbours for 4 points");
+  EXPECT_EQ(defect({{1}, {0}, {9}, {}}),
+            "the list of row 2 names row 9, but there are 4");
+  EXPECT_EQ(defect({{1}, {0}, {2}, {}}), "row 2 is in its own list of neighbours");
+  EXPECT_EQ(defect({{1, 1}, {0}, {}, {}}), "the list of row 0 names row 1 twice");
+  EXPECT_EQ(defect({{1}, {}, {}, {}}),
+            "row 1 is in the list of row 0 but not the other way round");
+  EXPECT_NE(defect({{1}, {0}, {}, {}}), "none");
+}
+
+// What Mathematica printed for these four points, in its count from 1.
+TEST(PlaneLists, OfAFlippedKiteAreNotDelaunay) {
+  const Points kite{{0, 0}, {2, -1}, {4, 0}, {2, 1}};
+  EXPECT_EQ(
+      find_defect(kite, Lists{{1, 3}, {2, 3, 0}, {3, 1}, {0, 1, 2}}).value_or("none"),
+      "none");
+  const auto flipped =
+      find_defect(kite, Lists{{1, 2, 3}, {2, 0}, {3, 0, 1}, {0, 2}}).value_or("none");
+  EXPECT_NE(flipped.find("edge (0, 2) is not Delaunay"), std::string::npos) << flipped;
+}
+
+}  // namespace
+}  // namespace delone::tripack

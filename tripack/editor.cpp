@@ -1,0 +1,61 @@
+#include "tripack/editor.hpp"
+
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "delaunay/editable_set.hpp"
+#include "delaunay/error.hpp"
+#include "delaunay/site_order.hpp"
+#include "tripack/plane_editing.hpp"
+
+namespace delone::tripack {
+
+namespace {
+
+// Adding +0 turns -0 into +0: equal positions have equal bits.
+Point2 checked(Point2 p) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y))
+    throw Error("a coordinate is not a finite number; leave the point out");
+  return {p.x + 0.0, p.y + 0.0};
+}
+
+}  // namespace
+
+struct Editor::State {
+  delaunay::EditableSet<PlaneEditing> set;
+};
+
+Editor::Editor() : state_(std::make_unique<State>()) {}
+Editor::Editor(const Triangulation& t)
+    : state_(std::make_unique<State>(State{delaunay::EditableSet<PlaneEditing>(t)})) {}
+Editor::Editor(const Editor& other) : state_(std::make_unique<State>(*other.state_)) {}
+Editor::Editor(Editor&& other) noexcept = default;
+Editor& Editor::operator=(const Editor& other) {
+  *state_ = *other.state_;
+  return *this;
+}
+Editor& Editor::operator=(Editor&& other) noexcept = default;
+Editor::~Editor() = default;
+
+Node Editor::insert(Point2 p, Node hint) { return state_->set.insert(checked(p), hint); }
+void Editor::remove(Node row) { state_->set.remove(row); }
+void Editor::move(Node row, Point2 p) { state_->set.move(row, checked(p)); }
+
+Node Editor::num_rows() const noexcept { return state_->set.num_rows(); }
+Node Editor::num_points() const noexcept { return state_->set.num_points(); }
+Site Editor::num_sites() const noexcept { return state_->set.num_sites(); }
+bool Editor::has(Node row) const noexcept { return state_->set.has(row); }
+Point2 Editor::point(Node row) const { return state_->set.point(row); }
+std::vector<Node> Editor::rows() const { return state_->set.rows(); }
+std::vector<Point2> Editor::points() const { return state_->set.points(); }
+
+Triangulation Editor::triangulation() const {
+  const auto& set = state_->set;
+  return {set.points(), RunOptions{},
+          [&](const Triangulation&, const delaunay::SiteOrder& order) {
+            return set.adjacency(set.rows(), order.rows);
+          }};
+}
+
+}  // namespace delone::tripack
