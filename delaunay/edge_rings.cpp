@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,6 +21,91 @@ constexpr Site chunk_size = 1 << chunk_bits;
 // An arc to another chunk, and its half-edge: its reverse is known when both are written.
 struct FarArc {
   std::int32_t arc, edge;
+};
+
+// Writes the lists of a chunk. The arrays are looked at through plain pointers: those of
+// a vector would be read anew after every store.
+class ChunkWriter {
+ public:
+  ChunkWriter(RingEdge* edges, const std::int32_t* first, Adjacency::Lists& lists,
+              Site begin, std::int32_t first_arc)
+      : edges_(edges),
+        first_(first),
+        offsets_(lists.offsets.data()),
+        neighbors_(lists.neighbors.data()),
+        reverse_(lists.reverse.data()),
+        begin_(begin),
+        arc_(first_arc) {}
+
+  void write(Site v, bool is_boundary) {
+    const std::size_t degree = walk_around(v);
+    std::size_t k = is_boundary ? 0 : smallest_;
+    const std::int32_t begin = arc_;
+    offsets_[v] = begin;
+    for (std::size_t i = 0; i < degree; ++i) {
+      write_arc(v, ring_[k], arc_ - begin);
+      ++arc_;
+      k = k + 1 == degree ? 0 : k + 1;
+    }
+  }
+
+  [[nodiscard]] std::vector<FarArc> take_far_arcs() { return std::move(far_arcs_); }
+
+ private:
+  struct Spoke {
+    std::int32_t edge;
+    Site target;
+  };
+
+  static std::uint8_t byte(std::int32_t place) {
+    return static_cast<std::uint8_t>(std::min(place, Adjacency::far_reverse));
+  }
+
+  std::size_t walk_around(Site v) {
+    const std::int32_t start = first_[v];
+    Spoke* ring = ring_.data();
+    std::size_t degree = 0, room = ring_.size();
+    Site lowest = std::numeric_limits<Site>::max();
+    std::int32_t e = start;
+    do {
+      if (degree == room) {
+        ring_.resize(2 * room);
+        ring = ring_.data(), room = ring_.size();
+      }
+      const Site w = edges_[e ^ 1].origin;
+      ring[degree] = {e, w};
+      if (w < lowest) lowest = w, smallest_ = degree;
+      ++degree;
+      e = edges_[e].next;
+    } while (e != start);
+    return degree;
+  }
+
+  // `previous` is not needed any more and takes the place of the arc in its list. The
+  // later end of an edge writes both places; of an edge between chunks both ends wait.
+  void write_arc(Site v, Spoke spoke, std::int32_t place) {
+    const auto [e, w] = spoke;
+    neighbors_[arc_] = w;
+    edges_[e].previous = place;
+    if (w >= begin_ && w < v) {
+      const std::int32_t place_back = edges_[e ^ 1].previous;
+      reverse_[arc_] = byte(place_back);
+      reverse_[offsets_[w] + place_back] = byte(place);
+    } else if (w < begin_ || w >= begin_ + chunk_size) {
+      far_arcs_.push_back({arc_, e});
+    }
+  }
+
+  RingEdge* edges_;
+  const std::int32_t* first_;
+  std::int32_t* offsets_;
+  Site* neighbors_;
+  std::uint8_t* reverse_;
+  Site begin_;
+  std::int32_t arc_;
+  std::size_t smallest_ = 0;
+  std::vector<Spoke> ring_ = std::vector<Spoke>(64);
+  std::vector<FarArc> far_arcs_;
 };
 
 class RingLists {
@@ -89,15 +174,13 @@ class RingLists {
 
   void write_chunk(std::int32_t k) {
     const Site begin = k * chunk_size, end = std::min(num_sites_, begin + chunk_size);
-    std::int32_t arc = begins_[at(k)];
-    std::vector<std::int32_t> ring(64);
+    ChunkWriter writer(rings_.edges.data(), rings_.first.data(), lists_, begin,
+                       begins_[at(k)]);
     for (Site v = begin; v < end; ++v) {
       fetch_ahead(v);
-      lists_.offsets[at(v)] = arc;
-      const std::span<const std::int32_t> spokes = ring_of(v, ring);
-      std::int32_t place = 0;
-      for (const std::int32_t e : spokes) write_arc(v, e, arc++, place++, begin);
+      writer.write(v, lists_.is_boundary[at(v)]);
     }
+    far_arcs_[at(k)] = writer.take_far_arcs();
   }
 
   // The half-edges of a site lie anywhere in its block, which is fetched as a whole, a
@@ -107,51 +190,6 @@ class RingLists {
     if (first + 6 > rings_.edges.size()) return;
     __builtin_prefetch(&rings_.edges[first]);
     __builtin_prefetch(&rings_.edges[first + 5]);
-  }
-
-  // The half-edges around a site from the first of its list on: the smallest neighbour's,
-  // or the hull's.
-  std::span<const std::int32_t> ring_of(Site v, std::vector<std::int32_t>& ring) const {
-    const std::int32_t start = rings_.first[at(v)];
-    std::size_t degree = 0, smallest = 0;
-    Site lowest = num_sites_;
-    std::int32_t e = start;
-    do {
-      if (degree == ring.size()) ring.resize(2 * degree);
-      ring[degree] = e;
-      const Site w = target(e);
-      if (w < lowest) lowest = w, smallest = degree;
-      ++degree;
-      e = edge(e).next;
-    } while (e != start);
-    const std::span<std::int32_t> spokes(ring.data(), degree);
-    if (!lists_.is_boundary[at(v)])
-      std::rotate(spokes.begin(), spokes.begin() + static_cast<std::ptrdiff_t>(smallest),
-                  spokes.end());
-    return spokes;
-  }
-
-  // `previous` is not needed any more and takes the place of the arc in its list. The
-  // later end of an edge writes both places; of an edge between chunks both ends wait.
-  void write_arc(Site v, std::int32_t e, std::int32_t arc, std::int32_t place,
-                 Site chunk_begin) {
-    const Site w = target(e);
-    const auto noted = static_cast<std::uint8_t>(std::min(place, Adjacency::far_reverse));
-    lists_.neighbors[at(arc)] = w;
-    rings_.edges[at(e)].previous = place;
-    if (w >= v) {
-      if (w >= chunk_begin + chunk_size)
-        far_arcs_[at(v >> chunk_bits)].push_back({arc, e});
-      return;
-    }
-    if (w < chunk_begin) {
-      far_arcs_[at(v >> chunk_bits)].push_back({arc, e});
-      return;
-    }
-    const std::int32_t place_back = edge(e ^ 1).previous;
-    lists_.reverse[at(arc)] =
-        static_cast<std::uint8_t>(std::min(place_back, Adjacency::far_reverse));
-    lists_.reverse[at(lists_.offsets[at(w)] + place_back)] = noted;
   }
 
   void write_far_reverses(std::int32_t k) {
