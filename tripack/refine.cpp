@@ -167,7 +167,10 @@ class Refiner {
   bool divide(HalfEdge e) {
     const HalfEdge back = mesh().reverse(e);
     const Site a = mesh().origin(e), b = mesh().target(e);
-    const Site v = builder_.add_site(division(a, b));
+    const Point2 middle = division(a, b);
+    // Lengths beyond the range of doubles, or below it.
+    if (!std::isfinite(middle.x) || !std::isfinite(middle.y)) return false;
+    const Site v = builder_.add_site(middle);
     if (!fits(e, v) || !fits(back, v)) {
       builder_.drop_site();
       return false;

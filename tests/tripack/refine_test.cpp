@@ -150,6 +150,16 @@ TEST(Refine, DoesNotDependOnTheOrderOfPoints) {
   EXPECT_TRUE(std::equal(p.begin(), p.end(), q.begin(), q.end()));
 }
 
+TEST(Refine, EndsWhereLengthsAreBeyondTheRangeOfDoubles) {
+  PlanarGraph graph;
+  support::add_ring(
+      graph,
+      std::vector<Point2>{{-1.7e308, -1.7e308}, {1.7e308, -1.6e308}, {1.7e308, 1.7e308}});
+  const Refinement r = refine(graph, {.max_added = 50});
+  EXPECT_EQ(defect_of(r.triangulation), "none");
+  EXPECT_LE(r.triangulation.points().size(), 53u);
+}
+
 TEST(Refine, EmptyDomainsStayEmpty) {
   EXPECT_EQ(refine(PlanarGraph{}).num_added, 0);
   PlanarGraph graph{.points = {{0, 0}, {1, 0}, {0, 1}}};
