@@ -15,8 +15,7 @@
 
 namespace delone::delaunay {
 
-/// A point of the polyhedron: for the plane the lifted point (x, y, -(x^2 + y^2)) in
-/// local coordinates, for the sphere the direction itself.
+/// A point of the polyhedron.
 struct Vector3 {
   double x, y, z;
 };
@@ -39,27 +38,23 @@ struct alignas(64) Face {
 };
 static_assert(sizeof(Face) == 64);
 
-/// What the plane and the sphere tell the builder about themselves.
+/// What the builder has to be told.
 ///
-/// `point(s)`         coordinates of a finite site for the floating-point tests;
-/// `is_finite(s)`     false for a node at infinity;
-/// `set_vertical_plane(f)`  fills normal and offset of a face with a node at infinity,
-/// and gives its error; `plane_error`      times (|B|_1 + |C|_1), the sides from a face's
-/// first corner: error of a finite face; `sees(n, q)`       exact: does q see the face
-/// with corners n? Ties broken canonically, never zero; `is_front(f)`      is the face
-/// part of the triangulation (not of the outside)? `side(a, b, q)`    floating: > 0 if q
-/// is left of a -> b, as seen from outside a front face; `exact_side`       the same,
-/// exact sign.
+/// `point(s)`         coordinates for the floating-point tests;
+/// `plane_error`      times (|B|_1 + |C|_1), the sides from a face's first corner: error
+///                    of a face;
+/// `sees(n, q)`       exact: does q see the face with corners n? Ties broken canonically,
+///                    never zero;
+/// `is_front(f)`      is the face part of the triangulation (not of the outside)?
+/// `side(a, b, q)`    floating: > 0 if q is left of a -> b, as seen from outside a front
+///                    face;
+/// `exact_side`       the same, exact sign.
 template <class G>
-concept HullGeometry = requires(const G& g, Face& f, const Face& cf, Site s) {
+concept HullGeometry = requires(const G& g, const Face& f, Site s) {
   { g.point(s) } -> std::convertible_to<Vector3>;
-  { g.is_finite(s) } -> std::same_as<bool>;
-  { g.set_vertical_plane(f) } -> std::same_as<double>;
   { G::plane_error } -> std::convertible_to<double>;
-  { g.sees(cf.node, s) } -> std::same_as<bool>;
-  { g.exact_area() } -> std::same_as<double>;
-  { g.sees_tie(cf.node, s) } -> std::same_as<bool>;
-  { g.is_front(cf) } -> std::same_as<bool>;
+  { g.sees(f.node, s) } -> std::same_as<bool>;
+  { g.is_front(f) } -> std::same_as<bool>;
   { g.side(s, s, s) } -> std::same_as<double>;
   { g.exact_side(s, s, s) } -> std::same_as<int>;
 };
@@ -67,13 +62,11 @@ concept HullGeometry = requires(const G& g, Face& f, const Face& cf, Site s) {
 /// The boundary of the convex hull of points in convex position, by insertion along a
 /// curve.
 ///
-/// Both Delaunay triangulations are such boundaries: in the plane of the points lifted to
-/// a paraboloid (with one node at infinity below it, which closes the surface over the
-/// hull), on the sphere of the points themselves. The surface is closed from the first
-/// face on, so there is no special case for the outside. An inserted site sees a disc of
-/// faces (its cavity); as no site lies inside that disc its dual is a tree, walked depth
-/// first without marks, and its rim comes out in counter-clockwise order. The cavity is
-/// replaced by the fan of the site over the rim.
+/// On the sphere the Delaunay triangulation is such a boundary. The surface is closed
+/// from the first face on, so there is no special case for the outside. An inserted site
+/// sees a disc of faces (its cavity); as no site lies inside that disc its dual is a
+/// tree, walked depth first without marks, and its rim comes out in counter-clockwise
+/// order. The cavity is replaced by the fan of the site over the rim.
 ///
 /// Sources: A. Bowyer, Comput. J. 24 (1981) 162-166; D. F. Watson, ibid. 167-172; K. Q.
 /// Brown, Inf. Process. Lett. 9 (1979) 223-228 (lifting); N. Amenta, S. Choi, G. Rote,
@@ -148,9 +141,6 @@ class ClosedHull {
     for (std::size_t k = 0; k < 3; ++k) corner_of(corners[k]) = link_to(num_faces_, k);
     Face& f = face(num_faces_++);
     f.node = corners;
-    const bool is_finite = std::all_of(corners.begin(), corners.end(),
-                                       [&](Site s) { return geometry_.is_finite(s); });
-    if (!is_finite) return set_vertical_plane(f);
     const Vector3 p = geometry_.point(corners[0]);
     set_plane(f, p, side_from(p, corners[1]), side_from(p, corners[2]));
   }
@@ -178,15 +168,7 @@ class ClosedHull {
     const Vector3 &u = b.vector, &v = c.vector;
     f.normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
     f.offset = f.normal.x * p.x + f.normal.y * p.y + f.normal.z * p.z;
-    if (b.norm * c.norm <= geometry_.exact_area()) {
-      f.error = 0;
-    } else {
-      set_error(f, Geometry::plane_error * (b.norm + c.norm));
-    }
-  }
-
-  void set_vertical_plane(Face& f) const {
-    set_error(f, geometry_.set_vertical_plane(f));
+    set_error(f, Geometry::plane_error * (b.norm + c.norm));
   }
 
   void link_by_search(std::int32_t f, std::size_t k) {
@@ -204,7 +186,7 @@ class ClosedHull {
         f.normal.x * p.x + f.normal.y * p.y + f.normal.z * p.z - f.offset;
     if (height > f.error) return true;
     if (height < -f.error) return false;
-    return f.error == 0 ? geometry_.sees_tie(f.node, q) : geometry_.sees(f.node, q);
+    return geometry_.sees(f.node, q);
   }
 
   /// A face that q sees, walking from the last front face: across an edge that has q on
@@ -284,8 +266,7 @@ class ClosedHull {
     cavity_[num_cavity_++] = num_faces_++;
     cavity_[num_cavity_++] = num_faces_++;
     const Vector3 p = geometry_.point(q);
-    Side side{};
-    if (geometry_.is_finite(rim_[0].from)) side = side_from(p, rim_[0].from);
+    Side side = side_from(p, rim_[0].from);
     rim_[num_rim_] = rim_[0];
     std::int32_t before = cavity_[num_rim_ - 1];
     cavity_[num_rim_] = cavity_[0];
@@ -300,12 +281,8 @@ class ClosedHull {
       // A rim node may have lost the face its corner was in.
       corner_of(from) = link_to(id, 1);
       const Side last = side;
-      if (geometry_.is_finite(to)) side = side_from(p, to);
-      if (geometry_.is_finite(from) && geometry_.is_finite(to)) {
-        set_plane(f, p, last, side);
-      } else {
-        set_vertical_plane(f);
-      }
+      side = side_from(p, to);
+      set_plane(f, p, last, side);
       before = id;
     }
     corner_of(q) = link_to(before, 0);

@@ -136,11 +136,7 @@ class DivideConquer {
   void set_alone(std::int32_t e) { edge(e).next = edge(e).previous = e; }
   // Into the ring just before `after`.
   void put_before(std::int32_t e, std::int32_t after) {
-    const std::int32_t before = previous(after);
-    edge(e).next = after;
-    edge(e).previous = before;
-    edge(before).next = e;
-    edge(after).previous = e;
+    put_between(e, previous(after), after);
   }
   void put_into_wedge(std::int32_t e, std::int32_t hull_edge) {
     if (hull_edge == none) {

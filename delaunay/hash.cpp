@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "delaunay/error.hpp"
 #include "delaunay/triangle_list.hpp"
+#include "delaunay/triangulation_hash.hpp"
 
 namespace delone::delaunay {
 
@@ -69,6 +71,17 @@ Hash hash_of_positions(std::span<const std::int32_t> order,
   }
   add_triangles(hasher, canonical(std::move(triangles)));
   return hasher.result();
+}
+
+void check_corners(std::span<const std::array<std::int32_t, 3>> triangles,
+                   std::size_t num_rows) {
+  for (const auto& triangle : triangles) {
+    for (const std::int32_t corner : triangle) {
+      if (corner >= 0 && static_cast<std::size_t>(corner) < num_rows) continue;
+      throw Error("a triangle names row " + std::to_string(corner) + ", but there are " +
+                  std::to_string(num_rows));
+    }
+  }
 }
 
 }  // namespace delone::delaunay

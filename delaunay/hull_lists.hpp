@@ -14,8 +14,7 @@ namespace delone::delaunay {
 /// The neighbour lists of sites 0 .. num_sites - 1 over the front faces of a closed hull.
 ///
 /// A site is on the boundary if one of its faces is outside; its list then begins right
-/// after the outside. Nodes beyond num_sites (infinity) have outside faces only and are
-/// left out.
+/// after the outside.
 ///
 /// One walk around each site, in the order of sites. The faces remember where each arc
 /// stands in its list, so the reverse of an arc to an earlier site is known when the arc

@@ -9,13 +9,4 @@ namespace delone::delaunay {
 struct Portable {};
 struct Avx2 {};
 
-/// Does this processor have AVX2, and was code for it compiled?
-[[nodiscard]] inline bool has_avx2() noexcept {
-#ifdef DELONE_AVX2
-  return __builtin_cpu_supports("avx2") != 0;
-#else
-  return false;
-#endif
-}
-
 }  // namespace delone::delaunay

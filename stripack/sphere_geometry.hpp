@@ -33,11 +33,6 @@ class SphereGeometry {
   /// (|B| + |C|). 48 u leaves room for second-order terms.
   static constexpr double plane_error = 48 * 0x1p-53;
 
-  [[nodiscard]] static constexpr bool is_finite(Site) noexcept { return true; }
-  static double set_vertical_plane(Face&) noexcept {
-    return 0;
-  }  // there is no node at infinity
-
   [[nodiscard]] bool is_front(const Face& f) const noexcept {
     if (f.offset > f.error) return true;
     if (f.offset < -f.error) return false;
@@ -48,12 +43,6 @@ class SphereGeometry {
   [[nodiscard]] bool sees(const std::array<Site, 3>& node, Site q) const noexcept {
     return in_circle_perturbed(direction(node[0]), direction(node[1]), direction(node[2]),
                                direction(q)) > 0;
-  }
-
-  // Unit vectors are never free of rounding.
-  [[nodiscard]] static constexpr double exact_area() noexcept { return -1; }
-  [[nodiscard]] bool sees_tie(const std::array<Site, 3>& node, Site q) const noexcept {
-    return sees(node, q);
   }
 
   [[nodiscard]] double side(Site a, Site b, Site q) const noexcept {

@@ -23,7 +23,7 @@ class SitePlane {
     return certain != 0 ? certain : tripack::orientation(at(a), at(b), at(c));
   }
   [[nodiscard]] bool is_ahead(Site a, Site b, Site c) const noexcept {
-    return is_before(at(a), at(b)) == is_before(at(a), at(c));
+    return lexicographically_less(at(a), at(b)) == lexicographically_less(at(a), at(c));
   }
   [[nodiscard]] bool is_inside(Site a, Site b, Site c, Site d) const noexcept {
     const int certain = in_circle_filter(at(a), at(b), at(c), at(d));
@@ -31,10 +31,6 @@ class SitePlane {
   }
 
  private:
-  static bool is_before(Point2 a, Point2 b) noexcept {
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-  }
-
   const delaunay::Buffer<Point2>* points_;
 };
 

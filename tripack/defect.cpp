@@ -19,8 +19,6 @@ using delaunay::Chain;
 using delaunay::Defect;
 using delaunay::Ties;
 
-bool is_before(Point2 a, Point2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 /// Positions of sites, as delaunay/defect.hpp wants them.
 class Plane {
  public:
@@ -33,7 +31,7 @@ class Plane {
     return tripack::orientation(at(v), at(w), at(x));
   }
   [[nodiscard]] bool is_ahead(Site v, Site w, Site x) const {
-    return is_before(at(v), at(w)) == is_before(at(v), at(x));
+    return lexicographically_less(at(v), at(w)) == lexicographically_less(at(v), at(x));
   }
   [[nodiscard]] bool is_violated(Site v, Site w, Site x, Site y) const {
     if (ties_ == Ties::any) return in_circle(at(v), at(w), at(x), at(y)) > 0;
@@ -68,7 +66,7 @@ Defect find_line_defect(const Triangulation& t) {
   std::iota(order.begin(), order.end(), 0);
   const auto at = [&](Site v) { return t.points()[static_cast<std::size_t>(v)]; };
   std::sort(order.begin(), order.end(),
-            [&](Site a, Site b) { return is_before(at(a), at(b)); });
+            [&](Site a, Site b) { return lexicographically_less(at(a), at(b)); });
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (at(order[i - 1]) == at(order[i])) return "two sites share one position";
   }
@@ -138,7 +136,7 @@ Defect find_defect(const Triangulation& t) {
 Defect find_defect(std::span<const Point2> points,
                    std::span<const std::array<std::int32_t, 3>> triangles) {
   if (auto defect = find_infinite(points)) return defect;
-  const auto positions = delaunay::merge_positions(points, is_before);
+  const auto positions = delaunay::merge_positions(points, lexicographically_less);
   const auto sites = gather(points, positions.rows);
   const Plane plane(sites, positions.rows, Ties::any);
   if (triangles.empty())

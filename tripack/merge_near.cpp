@@ -9,14 +9,13 @@
 #include "delaunay/defect.hpp"
 #include "delaunay/error.hpp"
 #include "tripack/distance_order.hpp"
+#include "tripack/finite.hpp"
 
 namespace delone::tripack {
 
 namespace {
 
 using delaunay::Node;
-
-bool is_before(Point2 a, Point2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 double largest_coordinate(std::span<const Point2> points) {
   double largest = 0;
@@ -44,7 +43,7 @@ class PlaneCells {
   }
   [[nodiscard]] bool is_nearer(Node p, Node a, Node b) const {
     const int order = compare_distances(at(p), at(a), at(b));
-    return order != 0 ? order < 0 : is_before(at(a), at(b));
+    return order != 0 ? order < 0 : lexicographically_less(at(a), at(b));
   }
 
  private:
@@ -56,22 +55,12 @@ class PlaneCells {
   double distance_, size_;
 };
 
-void check(std::span<const Point2> points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::isfinite(points[i].x) && std::isfinite(points[i].y)) continue;
-    const auto row = static_cast<std::int64_t>(i);
-    throw Error("row " + std::to_string(row) +
-                    ": a coordinate is not a finite number; remove the row",
-                {row});
-  }
-}
-
 }  // namespace
 
 MergedRows merge_near(std::span<const Point2> points, double distance) {
   delaunay::check_merge_distance(distance);
-  check(points);
-  const auto positions = delaunay::merge_positions(points, is_before);
+  check_finite(points, "row");
+  const auto positions = delaunay::merge_positions(points, lexicographically_less);
   const PlaneCells cells(points, distance);
   delaunay::NearMerger merger(cells);
   return delaunay::spread_to_rows(merger.merge(positions.rows), positions.sites);

@@ -11,11 +11,9 @@ using delaunay::none;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-bool is_before(Point2 a, Point2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 // Of different points on a line.
 bool is_between(Point2 a, Point2 p, Point2 b) {
-  return is_before(a, p) == is_before(p, b);
+  return lexicographically_less(a, p) == lexicographically_less(p, b);
 }
 
 // +1 if an even number of exchanges puts the points into lexicographic order.
@@ -23,7 +21,7 @@ int parity(std::array<Point2, 4> p) {
   int sign = 1;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
-      if (is_before(p[j], p[i])) sign = -sign;
+      if (lexicographically_less(p[j], p[i])) sign = -sign;
     }
   }
   return sign;

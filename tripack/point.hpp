@@ -8,4 +8,9 @@ struct Point2 {
   friend bool operator==(const Point2&, const Point2&) = default;
 };
 
+/// The order by x, then y: along any line, and that by which ties are broken.
+[[nodiscard]] inline bool lexicographically_less(Point2 a, Point2 b) noexcept {
+  return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
 }  // namespace delone::tripack

@@ -1,29 +1,12 @@
 #include "tripack/query_order.hpp"
 
-#include <cmath>
-#include <string>
-
-#include "delaunay/error.hpp"
+#include "tripack/finite.hpp"
 
 namespace delone::tripack {
 
-namespace {
-
-void check_queries(std::span<const Point2> queries) {
-  delaunay::check_num_queries(queries.size());
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (std::isfinite(queries[i].x) && std::isfinite(queries[i].y)) continue;
-    const auto row = static_cast<std::int64_t>(i);
-    throw Error("query " + std::to_string(row) +
-                    ": a coordinate is not a finite number; remove the query",
-                {row});
-  }
-}
-
-}  // namespace
-
 delaunay::Buffer<delaunay::KeyedRow> order_along_curve(std::span<const Point2> queries) {
-  check_queries(queries);
+  delaunay::check_num_queries(queries.size());
+  check_finite(queries, "query");
   const auto chart = [&](std::size_t i) {
     return delaunay::QueryChart{queries[i].x, queries[i].y};
   };

@@ -13,22 +13,23 @@ namespace {
 using delaunay::DoubleDouble;
 using delaunay::two_difference;
 
-bool less(Point2 a, Point2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 Intersection at_one_point(Meeting kind, Point2 p) { return {kind, {p, p}, 1}; }
 
 // All four on one line: intervals in lexicographic order.
 Intersection intersect_collinear(Point2 a, Point2 b, Point2 c, Point2 d) {
-  if (less(b, a)) std::swap(a, b);
-  if (less(d, c)) std::swap(c, d);
-  const Point2 from = less(a, c) ? c : a, to = less(b, d) ? b : d;
-  if (less(to, from)) return {};
+  if (lexicographically_less(b, a)) std::swap(a, b);
+  if (lexicographically_less(d, c)) std::swap(c, d);
+  const Point2 from = lexicographically_less(a, c) ? c : a,
+               to = lexicographically_less(b, d) ? b : d;
+  if (lexicographically_less(to, from)) return {};
   if (from == to) return at_one_point(Meeting::touch, from);
   return {Meeting::overlap, {from, to}, 2};
 }
 
 bool is_between(Point2 a, Point2 b, Point2 p) {
-  return less(a, b) ? !less(p, a) && !less(b, p) : !less(p, b) && !less(a, p);
+  return lexicographically_less(a, b)
+             ? !lexicographically_less(p, a) && !lexicographically_less(b, p)
+             : !lexicographically_less(p, b) && !lexicographically_less(a, p);
 }
 
 // The bounding boxes of a-b and c-d have a point in common.

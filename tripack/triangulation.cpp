@@ -13,6 +13,7 @@
 #include "delaunay/instruction_set.hpp"
 #include "delaunay/site_order.hpp"
 #include "delaunay/site_queries.hpp"
+#include "tripack/finite.hpp"
 #include "tripack/plane_blocks.hpp"
 #include "tripack/predicates.hpp"
 
@@ -26,17 +27,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void check(std::span<const Point2> points) {
   delaunay::check_num_points(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::isfinite(points[i].x) && std::isfinite(points[i].y)) continue;
-    const auto row = static_cast<std::int64_t>(i);
-    throw Error("row " + std::to_string(row) +
-                    ": a coordinate is not a finite number; remove the row",
-                {row});
-  }
-}
-
-bool lexicographically_less(Point2 a, Point2 b) {
-  return a.x < b.x || (a.x == b.x && a.y < b.y);
+  check_finite(points, "row");
 }
 
 struct Box {

@@ -47,9 +47,7 @@ TEST(PlaneBuilder, AreTheSameForEveryInstructionSet) {
   for (const std::size_t n : {4u, 5u, 50u, 3000u}) {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
       std::vector<Point2> sites = support::uniform_points(n, seed);
-      std::sort(sites.begin(), sites.end(), [](Point2 a, Point2 b) {
-        return a.x < b.x || (a.x == b.x && a.y < b.y);
-      });
+      std::sort(sites.begin(), sites.end(), lexicographically_less);
       const auto best = block_of(sites, plane_block_work());
       const auto portable = block_of(sites, delaunay::BlockWorker<Portable>::work);
       EXPECT_EQ(lists_of(best), lists_of(portable)) << "n = " << n << ", seed = " << seed;
