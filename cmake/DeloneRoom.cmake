@@ -34,7 +34,7 @@ function(delone_avx2 name)
     return()
   endif()
   target_sources(delone_${name} PRIVATE ${ARGN})
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -mavx2)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
   target_compile_definitions(delone_${name} PRIVATE DELONE_AVX2)
 endfunction()
 

@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "delaunay/edge_rings.hpp"
+#include "delaunay/four_corners.hpp"
 #include "delaunay/lanes.hpp"
+#include "delaunay/ring_mesh.hpp"
 #include "delaunay/site_order.hpp"
 
 namespace delone::delaunay {
@@ -12,12 +13,6 @@ namespace delone::delaunay {
 /// The sites of a block that are furthest along either chart coordinate.
 struct Extremes {
   Site low_u, high_u, low_v, high_v;
-};
-
-/// Where blocks are built: half-edges, and the half-edge that leaves each site.
-struct RingArrays {
-  RingEdge* edges;
-  std::int32_t* first;
 };
 
 /// Delaunay triangulations of blocks of sites: small ones directly, larger ones by
@@ -37,11 +32,10 @@ struct RingArrays {
 ///
 /// Source: L. Guibas, J. Stolfi, ACM Trans. Graph. 4 (1985) 74-123.
 template <class Geometry>
-class DivideConquer {
+class DivideConquer : public RingMesh<Geometry> {
  public:
-  /// `supply` points at supplies that are used up one after the other.
   DivideConquer(const Geometry& geometry, RingArrays arrays, EdgeSupply* supply)
-      : g_(geometry), edges_(arrays.edges), first_(arrays.first), supply_(supply) {}
+      : Mesh(arrays, supply), g_(geometry) {}
 
   /// The sites begin .. end - 1.
   Extremes build(BlockKeys keys, Site begin, Site end) {
@@ -52,6 +46,12 @@ class DivideConquer {
         return build_two(begin, begin + 1);
       case 3:
         return build_three(begin);
+      case 4: {
+        const FourCorners four = four_corners(begin);
+        if (four.shape != FourShape::unclear) [[likely]]
+          return build_four(begin, four);
+        break;
+      }
       default:
         break;
     }
@@ -63,17 +63,13 @@ class DivideConquer {
     return merge(left, right);
   }
 
-  [[nodiscard]] EdgeSupply* supply() const noexcept { return supply_; }
-
   /// Two blocks become one.
   Extremes merge(const Extremes& p, const Extremes& q) {
     const std::int32_t last = zip(lower_tangent(facing(p, q)));
     first(target(last)) = last ^ 1;
     first(origin(last)) = next(last);
-    return {g_.less_u(q.low_u, p.low_u) ? q.low_u : p.low_u,
-            g_.less_u(p.high_u, q.high_u) ? q.high_u : p.high_u,
-            g_.less_v(q.low_v, p.low_v) ? q.low_v : p.low_v,
-            g_.less_v(p.high_v, q.high_v) ? q.high_v : p.high_v};
+    return {lower_u(p.low_u, q.low_u), higher_u(p.high_u, q.high_u),
+            lower_v(p.low_v, q.low_v), higher_v(p.high_v, q.high_v)};
   }
 
   /// What became of two halves of the sphere.
@@ -93,6 +89,12 @@ class DivideConquer {
   }
 
  private:
+  using Mesh = RingMesh<Geometry>;
+  using Mesh::choose, Mesh::mask;
+  using Mesh::connect_alone, Mesh::pair, Mesh::put_before, Mesh::put_between;
+  using Mesh::first, Mesh::next, Mesh::origin, Mesh::previous, Mesh::target;
+  using Mesh::put_into_wedge, Mesh::remove, Mesh::ring, Mesh::set_alone, Mesh::take_edge;
+
   static constexpr std::int32_t unclear = -2;
 
   Closed close_from(Site a, Site b) {
@@ -109,57 +111,12 @@ class DivideConquer {
     return {true, top ^ 1};
   }
 
-  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-  RingEdge& edge(std::int32_t e) const { return edges_[at(e)]; }
-  std::int32_t next(std::int32_t e) const { return edge(e).next; }
-  std::int32_t previous(std::int32_t e) const { return edge(e).previous; }
-  Site origin(std::int32_t e) const { return edge(e).origin; }
-  Site target(std::int32_t e) const { return edge(e ^ 1).origin; }
-  std::int32_t& first(Site s) const { return first_[at(s)]; }
+  // Choices that nothing foretells, made without a branch.
 
-  // Edges.
-
-  std::int32_t take_edge(Site from, Site to) {
-    while (supply_->freed == none && supply_->unused == supply_->end) ++supply_;
-    std::int32_t e = supply_->freed;
-    if (e != none) {
-      supply_->freed = edge(e).next;
-    } else {
-      e = supply_->unused;
-      supply_->unused += 2;
-    }
-    edge(e).origin = from;
-    edge(e ^ 1).origin = to;
-    return e;
-  }
-
-  void set_alone(std::int32_t e) { edge(e).next = edge(e).previous = e; }
-  // Into the ring just before `after`.
-  void put_before(std::int32_t e, std::int32_t after) {
-    put_between(e, previous(after), after);
-  }
-  void put_into_wedge(std::int32_t e, std::int32_t hull_edge) {
-    if (hull_edge == none) {
-      set_alone(e);
-    } else {
-      put_before(e, hull_edge);
-    }
-  }
-
-  void unlink(std::int32_t e) {
-    const RingEdge gone = edge(e);
-    edge(gone.next).previous = gone.previous;
-    edge(gone.previous).next = gone.next;
-    if (first(gone.origin) == e) first(gone.origin) = gone.next == e ? none : gone.next;
-  }
-  void remove(std::int32_t e) {
-    unlink(e);
-    unlink(e ^ 1);
-    e &= ~1;
-    edge(e).origin = edge(e ^ 1).origin = none;
-    edge(e).next = supply_->freed;
-    supply_->freed = e;
-  }
+  Site lower_u(Site s, Site t) const { return choose(mask(g_.less_u(t, s)), t, s); }
+  Site higher_u(Site s, Site t) const { return choose(mask(g_.less_u(s, t)), t, s); }
+  Site lower_v(Site s, Site t) const { return choose(mask(g_.less_v(t, s)), t, s); }
+  Site higher_v(Site s, Site t) const { return choose(mask(g_.less_v(s, t)), t, s); }
 
   // Leaves.
 
@@ -167,24 +124,15 @@ class DivideConquer {
     first(s) = none;
     return {s, s, s, s};
   }
-  std::int32_t connect_alone(Site a, Site b) {
-    const std::int32_t e = take_edge(a, b);
-    set_alone(e);
-    set_alone(e ^ 1);
-    return e;
-  }
   Extremes build_two(Site a, Site b) {
     const std::int32_t e = connect_alone(a, b);
     first(a) = e;
     first(b) = e ^ 1;
     return with({a, a, a, a}, b);
   }
-  Extremes with(Extremes x, Site s) const {
-    if (g_.less_u(s, x.low_u)) x.low_u = s;
-    if (g_.less_u(x.high_u, s)) x.high_u = s;
-    if (g_.less_v(s, x.low_v)) x.low_v = s;
-    if (g_.less_v(x.high_v, s)) x.high_v = s;
-    return x;
+  Extremes with(const Extremes& x, Site s) const {
+    return {lower_u(x.low_u, s), higher_u(x.high_u, s), lower_v(x.low_v, s),
+            higher_v(x.high_v, s)};
   }
 
   Extremes build_three(Site a) {
@@ -211,10 +159,6 @@ class DivideConquer {
     first(c) = ca;
     return x;
   }
-  void pair(std::int32_t e, std::int32_t f) {
-    edge(e).next = edge(e).previous = f;
-    edge(f).next = edge(f).previous = e;
-  }
   void chain(Site p, Site q, Site r) {
     const std::int32_t pq = take_edge(p, q), qr = take_edge(q, r);
     set_alone(pq);
@@ -225,6 +169,49 @@ class DivideConquer {
     first(r) = qr ^ 1;
   }
 
+  // Which of a, a + 1, a + 2, a + 3 are the corners p0, p1, p2, p3.
+  FourCorners four_corners(Site a) const {
+    const int s[4] = {g_.orientation(a + 1, a + 2, a + 3),
+                      g_.orientation(a, a + 2, a + 3), g_.orientation(a, a + 1, a + 3),
+                      g_.orientation(a, a + 1, a + 2)};
+    if (s[0] * s[1] * s[2] * s[3] == 0) [[unlikely]]
+      return {};
+    return four_corner_table[(s[0] > 0 ? 1u : 0u) | (s[1] > 0 ? 2u : 0u) |
+                             (s[2] > 0 ? 4u : 0u) | (s[3] > 0 ? 8u : 0u)];
+  }
+
+  Extremes build_four(Site a, const FourCorners& four) {
+    const Site p[4] = {a + four.corner[0], a + four.corner[1], a + four.corner[2],
+                       a + four.corner[3]};
+    if (four.shape == FourShape::triangle) {
+      build_star(p[0], p[1], p[2], p[3]);
+    } else {
+      const unsigned turn = g_.in_circle(p[0], p[1], p[2], p[3]) > 0 ? 1 : 0;
+      build_quad(p[turn], p[turn + 1], p[turn + 2], p[(turn + 3) % 4]);
+    }
+    return with(with(with({a, a, a, a}, a + 1), a + 2), a + 3);
+  }
+  // The quadrilateral pqrs with the diagonal pr.
+  void build_quad(Site p, Site q, Site r, Site s) {
+    const std::int32_t pq = take_edge(p, q), qr = take_edge(q, r), rs = take_edge(r, s),
+                       sp = take_edge(s, p), pr = take_edge(p, r);
+    ring(pq, pr, sp ^ 1);
+    pair(qr, pq ^ 1);
+    ring(rs, pr ^ 1, qr ^ 1);
+    pair(sp, rs ^ 1);
+    first(p) = pq, first(q) = qr, first(r) = rs, first(s) = sp;
+  }
+  // The triangle pqr with s inside.
+  void build_star(Site p, Site q, Site r, Site s) {
+    const std::int32_t pq = take_edge(p, q), qr = take_edge(q, r), rp = take_edge(r, p),
+                       sp = take_edge(s, p), sq = take_edge(s, q), sr = take_edge(s, r);
+    ring(pq, sp ^ 1, rp ^ 1);
+    ring(qr, sq ^ 1, pq ^ 1);
+    ring(rp, sr ^ 1, qr ^ 1);
+    ring(sp, sq, sr);
+    first(p) = pq, first(q) = qr, first(r) = rp, first(s) = sp;
+  }
+
   // Merging.
 
   /// Sites on the hulls of the two blocks that face each other.
@@ -232,10 +219,14 @@ class DivideConquer {
     Site left, right;
   };
   Facing facing(const Extremes& p, const Extremes& q) const {
-    if (g_.less_u(p.high_u, q.low_u)) return {p.high_u, q.low_u};
-    if (g_.less_v(p.high_v, q.low_v)) return {p.high_v, q.low_v};
-    if (g_.less_u(q.high_u, p.low_u)) return {p.low_u, q.high_u};
-    return {p.low_v, q.high_v};
+    const auto prefer = [](bool holds, Facing f, Facing g) {
+      return Facing{choose(mask(holds), f.left, g.left),
+                    choose(mask(holds), f.right, g.right)};
+    };
+    Facing f{p.low_v, q.high_v};
+    f = prefer(g_.less_u(q.high_u, p.low_u), {p.low_u, q.high_u}, f);
+    f = prefer(g_.less_v(p.high_v, q.low_v), {p.high_v, q.low_v}, f);
+    return prefer(g_.less_u(p.high_u, q.low_u), {p.high_u, q.low_u}, f);
   }
 
   std::int32_t lower_tangent(Facing f) {
@@ -276,11 +267,11 @@ class DivideConquer {
   std::int32_t zip(std::int32_t base) {
     Site a = origin(base), b = target(base);
     std::int32_t c = next(base), d = previous(base ^ 1);
-    typename Geometry::Base line = g_.base(a, b);
+    typename Geometry::Corner at_a = g_.corner(a), at_b = g_.corner(b);
     for (;;) {
       const std::int32_t c_next = next(c), d_next = previous(d);
       const Site s[4] = {target(c), target(c_next), target(d), target(d_next)};
-      const Action action = decide(line, a, b, s);
+      const Action action = decide(at_a, at_b, a, b, s);
       if (action == take_right) {
         if (Geometry::can_close && s[0] == s[2]) break;
         const std::int32_t e = take_edge(a, s[2]);
@@ -290,7 +281,7 @@ class DivideConquer {
         put_between(e ^ 1, d, to_b);
         base = e;
         b = s[2];
-        line = g_.base(a, b);
+        at_b = g_.corner(b);
       } else if (action == take_left) {
         if (Geometry::can_close && s[0] == s[2]) break;
         const std::int32_t e = take_edge(s[0], b);
@@ -300,7 +291,7 @@ class DivideConquer {
         put_between(e ^ 1, d, base ^ 1);
         base = e;
         a = s[0];
-        line = g_.base(a, b);
+        at_a = g_.corner(a);
       } else if (action == drop_left) {
         remove(c);
         c = c_next;
@@ -393,35 +384,72 @@ class DivideConquer {
     return g_.orientation(a, q, b) < 0 || g_.orientation(a, b, p) < 0;
   }
 
-  void put_between(std::int32_t e, std::int32_t before, std::int32_t after) {
-    edge(e).next = after;
-    edge(e).previous = before;
-    edge(before).next = e;
-    edge(after).previous = e;
+  [[gnu::always_inline]] Action decide(const typename Geometry::Corner& at_a,
+                                       const typename Geometry::Corner& at_b, Site a,
+                                       Site b, const Site (&s)[4]) const {
+    const auto lanes = g_.lanes(at_a, at_b, s);
+    const unsigned above = bits_of(lanes.cross > g_.cross_error());
+    const unsigned below = bits_of((lanes.cross <= -g_.cross_error()) | lanes.is_end);
+    const Double4 det = determinants(lanes.cross, lanes.dot);
+    const unsigned inside = bits_of(det > g_.circle_error());
+    const unsigned outside = bits_of(det < -g_.circle_error());
+    const unsigned asked = questions(above);
+    if ((above | below) == 15u && (asked & ~(inside | outside)) == 0) [[likely]]
+      return act(above, asked & inside);
+    return g_.is_exact()
+               ? decide_ties(a, b, s[0], s[1], s[2], s[3], above, inside, outside)
+               : decide_closely(a, b, s[0], s[1], s[2], s[3]);
   }
 
-  [[gnu::always_inline]] Action decide(const typename Geometry::Base& line, Site a,
-                                       Site b, const Site (&s)[4]) const {
-    const auto lanes = g_.lanes(line, s);
-    const unsigned same =
-        static_cast<unsigned>(s[0] == b) | static_cast<unsigned>(s[1] == b) << 1 |
-        static_cast<unsigned>(s[2] == a) << 2 | static_cast<unsigned>(s[3] == a) << 3;
-    const unsigned above = bits_of(lanes.cross > lanes.cross_error) & ~same;
-    const unsigned below = bits_of(lanes.cross < -lanes.cross_error) | same;
-    const Double4 cross_x = __builtin_shufflevector(lanes.cross, lanes.cross, 0, 2, 0, 0);
-    const Double4 dot_x = __builtin_shufflevector(lanes.dot, lanes.dot, 0, 2, 0, 0);
-    const Double4 size_x = __builtin_shufflevector(lanes.size, lanes.size, 0, 2, 0, 0);
-    const Double4 cross_y = __builtin_shufflevector(lanes.cross, lanes.cross, 1, 3, 2, 2);
-    const Double4 dot_y = __builtin_shufflevector(lanes.dot, lanes.dot, 1, 3, 2, 2);
-    const Double4 size_y = __builtin_shufflevector(lanes.size, lanes.size, 1, 3, 2, 2);
-    const Double4 det = dot_x * cross_y - dot_y * cross_x;  // > 0: y in circle(a, b, x)
-    const Double4 error = g_.circle_error(size_x, size_y);
-    const unsigned inside = bits_of(det > error), outside = bits_of(det < -error);
-    const Verdict v{above, below, inside, outside, bits_of(error == Double4{})};
-    const unsigned asked = questions(above);
-    if ((above | below) != 15u || (asked & ~(inside | outside)) != 0) [[unlikely]]
-      return decide_exactly(a, b, s, v);
-    return act(above, asked & inside);
+  /// Of candidates 0 and 1, 2 and 3, 0 and 2, in lanes 0 to 2: > 0 where the second is
+  /// inside the circle through the base and the first.
+  [[gnu::always_inline]] static Double4 determinants(const Double4& cross,
+                                                     const Double4& dot) {
+    return of_first(dot) * of_second(cross) - of_second(dot) * of_first(cross);
+  }
+  [[gnu::always_inline]] static Double4 of_first(const Double4& v) {
+    return __builtin_shufflevector(v, v, 0, 2, 0, 0);
+  }
+  [[gnu::always_inline]] static Double4 of_second(const Double4& v) {
+    return __builtin_shufflevector(v, v, 1, 3, 2, 2);
+  }
+
+  /// Where no sign has an error: what is neither inside nor outside is a tie.
+  [[gnu::noinline]] Action decide_ties(Site a, Site b, Site s0, Site s1, Site s2, Site s3,
+                                       unsigned above, unsigned inside,
+                                       unsigned outside) const {
+    return act(above, questions(above) &
+                          (inside | (broken_ties(a, b, {s0, s1, s2, s3}) & ~outside)));
+  }
+
+  /// The answers to the three questions if all were ties: the lowest of the four points,
+  /// by u, is outside of the circle of the others (tripack::break_tie). The order of four
+  /// points on a circle is known: a and b, then around a from b the candidates of a, the
+  /// reverse for those of b, and those of b before those of a.
+  unsigned broken_ties(Site a, Site b, const Site (&s)[4]) const {
+    const Site low_a0 = lower_u(a, s[0]), low_b1 = lower_u(b, s[1]);
+    const Site low_b2 = lower_u(b, s[2]), low_a3 = lower_u(a, s[3]);
+    const Site low_b0 = lower_u(b, s[0]), low_a2 = lower_u(a, s[2]);
+    return static_cast<unsigned>(g_.less_u(low_a0, low_b1)) |
+           static_cast<unsigned>(g_.less_u(low_b2, low_a3)) << 1 |
+           static_cast<unsigned>(g_.less_u(low_b0, low_a2)) << 2;
+  }
+
+  /// The same with errors of these four candidates instead of the worst ones in the
+  /// block, and exactly where they leave a sign open.
+  [[gnu::noinline]] Action decide_closely(Site a, Site b, Site s0, Site s1, Site s2,
+                                          Site s3) const {
+    const Site s[4] = {s0, s1, s2, s3};
+    const auto lanes = g_.lanes(g_.corner(a), g_.corner(b), s);
+    const Double4 size = g_.sizes(a, b, lanes);
+    const Double4 cross_error = g_.cross_error(size);
+    const Double4 det = determinants(lanes.cross, lanes.dot);
+    const Double4 error = g_.circle_error(of_first(size), of_second(size));
+    const Verdict v{bits_of(lanes.cross > cross_error),
+                    bits_of((lanes.cross <= -cross_error) | lanes.is_end),
+                    bits_of(det > error), bits_of(det < -error),
+                    bits_of(error == Double4{})};
+    return decide_exactly(a, b, s, v);
   }
 
   /// Signs of a step, a bit for each: of the four crosses, and of the three determinants.
@@ -452,18 +480,16 @@ class DivideConquer {
     constexpr unsigned x[3] = {0, 2, 0}, y[3] = {1, 3, 2};
     const unsigned asked = questions(v.above);
     for (unsigned i = 0; i < 3; ++i) {
-      if ((asked >> i & 1u) == 0 || ((v.inside | v.outside) >> i & 1u) != 0) continue;
-      const int sign = (v.is_exact >> i & 1u) != 0 ? g_.break_tie(a, b, s[x[i]], s[y[i]])
-                                                   : g_.in_circle(a, b, s[x[i]], s[y[i]]);
-      if (sign > 0) v.inside |= 1u << i;
+      if ((asked >> i & 1u) == 0 || ((v.inside | v.outside | v.is_exact) >> i & 1u) != 0)
+        continue;
+      if (g_.in_circle(a, b, s[x[i]], s[y[i]]) > 0) v.inside |= 1u << i;
     }
+    if ((asked & v.is_exact) != 0)
+      v.inside |= broken_ties(a, b, s) & v.is_exact & ~v.outside;
     return act(v.above, asked & v.inside);
   }
 
   const Geometry& g_;
-  RingEdge* edges_;
-  std::int32_t* first_;
-  EdgeSupply* supply_;
 };
 
 }  // namespace delone::delaunay

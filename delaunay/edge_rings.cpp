@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace {
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Sites whose lists are written one after the other; chunks are written side by side.
-constexpr int chunk_bits = 15;
+constexpr int chunk_bits = 13;
 constexpr Site chunk_size = 1 << chunk_bits;
 
 // An arc to another chunk, and its half-edge: its reverse is known when both are written.
@@ -23,89 +22,178 @@ struct FarArc {
   std::int32_t arc, edge;
 };
 
-// Writes the lists of a chunk. The arrays are looked at through plain pointers: those of
-// a vector would be read anew after every store.
+// The first steps around a few sites side by side: walks around one site after the other
+// would wait for memory at every step.
+class FewWalks {
+ public:
+  static constexpr Site num_walks = 16;
+  static constexpr std::int32_t num_steps = 8;
+
+  // Around the sites begin .. begin + 15. Walks go on where they began, so they come past
+  // some neighbours again.
+  FewWalks(const RingEdge* edges, const std::int32_t* first, Site begin) {
+    for (Site j = 0; j < num_walks; ++j) edge_[0][j] = first[begin + j];
+    for (std::int32_t i = 0; i < num_steps; ++i) {
+      for (Site j = 0; j < num_walks; ++j) {
+        const RingEdge& e = edges[edge_[i][j]];
+        target_[i][j] = e.target;
+        edge_[i + 1][j] = e.next;
+      }
+    }
+    for (Site j = 0; j < num_walks; j += 4) find_places(j);
+  }
+
+  // Is all of walk j known: 4 to 8 neighbours, each passed at most twice?
+  [[nodiscard]] bool is_whole(Site j) const {
+    return degree_[j] >= num_steps / 2 && degree_[j] <= num_steps;
+  }
+  [[nodiscard]] std::int32_t degree(Site j) const { return degree_[j]; }
+  // Step i of walk j: its half-edge, its target and its place in the list, which begins
+  // with the smallest.
+  [[nodiscard]] std::int32_t edge(std::int32_t i, Site j) const { return edge_[i][j]; }
+  [[nodiscard]] Site target(std::int32_t i, Site j) const { return target_[i][j]; }
+  [[nodiscard]] std::int32_t place(std::int32_t i, Site j) const { return place_[i][j]; }
+
+ private:
+  using Int4 [[gnu::may_alias]] = std::int32_t __attribute__((vector_size(16)));
+
+  static Int4 load(const std::int32_t* p) { return *reinterpret_cast<const Int4*>(p); }
+  static void store(std::int32_t* p, Int4 v) { *reinterpret_cast<Int4*>(p) = v; }
+  static Int4 four(std::int32_t v) { return Int4{v, v, v, v}; }
+  static Int4 choose(Int4 mask, Int4 a, Int4 b) { return (mask & a) | (~mask & b); }
+
+  // Of walks j .. j + 3: degrees, and places in the lists.
+  void find_places(Site j) {
+    Int4 degree = four(num_steps + 1), smallest = load(&target_[0][j]), start{};
+    for (std::int32_t i = num_steps; i > 0; --i)
+      degree = choose(load(&edge_[i][j]) == load(&edge_[0][j]), four(i), degree);
+    for (std::int32_t i = 1; i < num_steps; ++i) {
+      const Int4 target = load(&target_[i][j]), is_smaller = target < smallest;
+      smallest = choose(is_smaller, target, smallest);
+      start = choose(is_smaller, four(i), start);
+    }
+    for (std::int32_t i = 0; i < num_steps; ++i) {
+      Int4 place = four(i) - start;
+      place += degree & (place < 0);
+      store(&place_[i][j], place - (degree & (place >= degree)));
+    }
+    store(&degree_[j], degree);
+  }
+
+  alignas(64) std::int32_t edge_[num_steps + 1][num_walks];
+  alignas(64) std::int32_t place_[num_steps][num_walks];
+  alignas(64) Site target_[num_steps][num_walks];
+  alignas(64) std::int32_t degree_[num_walks];
+};
+
+// Writes the lists of a chunk. Nearly all sites are written by the same instructions,
+// whatever their degree: a loop around every site would end with a branch that nothing
+// foretells. The arrays are looked at through plain pointers, in local variables: members
+// would be read anew after every store.
 class ChunkWriter {
  public:
   ChunkWriter(RingEdge* edges, const std::int32_t* first, Adjacency::Lists& lists,
-              Site begin, std::int32_t first_arc)
+              Site begin, std::int32_t first_arc, std::int32_t last_arc)
       : edges_(edges),
         first_(first),
-        offsets_(lists.offsets.data()),
-        neighbors_(lists.neighbors.data()),
-        reverse_(lists.reverse.data()),
+        lists_(lists),
         begin_(begin),
-        arc_(first_arc) {}
+        first_arc_(first_arc),
+        arc_(first_arc),
+        edge_of_(at(last_arc - first_arc)) {}
 
-  void write(Site v, bool is_boundary) {
-    const std::size_t degree = walk_around(v);
-    std::size_t k = is_boundary ? 0 : smallest_;
-    const std::int32_t begin = arc_;
-    offsets_[v] = begin;
-    for (std::size_t i = 0; i < degree; ++i) {
-      write_arc(v, ring_[k], arc_ - begin);
-      ++arc_;
-      k = k + 1 == degree ? 0 : k + 1;
+  void write_lists(Site end) {
+    Site v = begin_;
+    for (; v + FewWalks::num_walks <= end; v += FewWalks::num_walks) {
+      fetch_ahead(v, end);
+      write_few(v);
     }
+    for (; v < end; ++v) write_any(v);
   }
 
-  [[nodiscard]] std::vector<FarArc> take_far_arcs() { return std::move(far_arcs_); }
-
- private:
-  struct Spoke {
-    std::int32_t edge;
-    Site target;
-  };
+  // When all lists are written: the places of reverse arcs.
+  std::vector<FarArc> write_reverses() const {
+    std::vector<FarArc> far;
+    const RingEdge* const edges = edges_;
+    const std::int32_t* const edge_of = edge_of_.data() - first_arc_;
+    const Site* const neighbors = lists_.neighbors.data();
+    std::uint8_t* const reverse = lists_.reverse.data();
+    const Site begin = begin_;
+    for (std::int32_t arc = first_arc_, last = arc_; arc < last; ++arc) {
+      const std::int32_t e = edge_of[arc];
+      if (static_cast<std::uint32_t>(neighbors[arc] - begin) >= chunk_size) [[unlikely]] {
+        far.push_back({arc, e});
+      } else {
+        reverse[arc] = byte(edges[e ^ 1].previous);
+      }
+    }
+    return far;
+  }
 
   static std::uint8_t byte(std::int32_t place) {
     return static_cast<std::uint8_t>(std::min(place, Adjacency::far_reverse));
   }
 
-  std::size_t walk_around(Site v) {
-    const std::int32_t start = first_[v];
-    Spoke* ring = ring_.data();
-    std::size_t degree = 0, room = ring_.size();
-    Site lowest = std::numeric_limits<Site>::max();
-    std::int32_t e = start;
-    do {
-      if (degree == room) {
-        ring_.resize(2 * room);
-        ring = ring_.data(), room = ring_.size();
+ private:
+  void write_few(Site begin) {
+    const FewWalks walks(edges_, first_, begin);
+    for (Site j = 0; j < FewWalks::num_walks; ++j) {
+      if (!walks.is_whole(j) || lists_.is_boundary[at(begin + j)]) [[unlikely]] {
+        write_any(begin + j);
+        continue;
       }
-      const Site w = edges_[e ^ 1].origin;
-      ring[degree] = {e, w};
-      if (w < lowest) lowest = w, smallest_ = degree;
-      ++degree;
-      e = edges_[e].next;
-    } while (e != start);
-    return degree;
+      lists_.offsets[at(begin + j)] = arc_;
+      RingEdge* const edges = edges_;
+      Site* const neighbors = lists_.neighbors.data() + arc_;
+      std::int32_t* const edge_of = edge_of_.data() + (arc_ - first_arc_);
+#pragma GCC unroll 8
+      for (std::int32_t i = 0; i < FewWalks::num_steps; ++i) {
+        const std::int32_t place = walks.place(i, j), e = walks.edge(i, j);
+        edges[e].previous = place;
+        neighbors[place] = walks.target(i, j);
+        edge_of[place] = e;
+      }
+      arc_ += walks.degree(j);
+    }
   }
 
-  // `previous` is not needed any more and takes the place of the arc in its list. The
-  // later end of an edge writes both places; of an edge between chunks both ends wait.
-  void write_arc(Site v, Spoke spoke, std::int32_t place) {
-    const auto [e, w] = spoke;
-    neighbors_[arc_] = w;
-    edges_[e].previous = place;
-    if (w >= begin_ && w < v) {
-      const std::int32_t place_back = edges_[e ^ 1].previous;
-      reverse_[arc_] = byte(place_back);
-      reverse_[offsets_[w] + place_back] = byte(place);
-    } else if (w < begin_ || w >= begin_ + chunk_size) {
-      far_arcs_.push_back({arc_, e});
-    }
+  // `previous` is not needed any more and takes the place of the arc in its list.
+  void write_any(Site v) {
+    lists_.offsets[at(v)] = arc_;
+    const std::int32_t start = lists_.is_boundary[at(v)] ? first_[v] : to_smallest(v);
+    std::int32_t e = start, place = 0;
+    do {
+      lists_.neighbors[at(arc_)] = edges_[e].target;
+      edge_of_[at(arc_ - first_arc_)] = e;
+      edges_[e].previous = place++;
+      ++arc_;
+      e = edges_[e].next;
+    } while (e != start);
+  }
+  [[nodiscard]] std::int32_t to_smallest(Site v) const {
+    const std::int32_t start = first_[v];
+    std::int32_t best = start;
+    for (std::int32_t e = edges_[start].next; e != start; e = edges_[e].next)
+      if (edges_[e].target < edges_[best].target) best = e;
+    return best;
+  }
+
+  // The half-edges of a site lie anywhere in its block, which is fetched as a whole, a
+  // piece with every few sites of the block before.
+  void fetch_ahead(Site v, Site end) const {
+    constexpr std::size_t line = 64 / sizeof(RingEdge), walks = FewWalks::num_walks;
+    const std::size_t first = 6 * (at(v) + at(ring_block_size));
+    if (first + 6 * walks > 6 * at(end)) return;
+    for (std::size_t e = first; e < first + 6 * walks; e += line)
+      __builtin_prefetch(&edges_[e]);
   }
 
   RingEdge* edges_;
   const std::int32_t* first_;
-  std::int32_t* offsets_;
-  Site* neighbors_;
-  std::uint8_t* reverse_;
+  Adjacency::Lists& lists_;
   Site begin_;
-  std::int32_t arc_;
-  std::size_t smallest_ = 0;
-  std::vector<Spoke> ring_ = std::vector<Spoke>(64);
-  std::vector<FarArc> far_arcs_;
+  std::int32_t first_arc_, arc_;
+  Buffer<std::int32_t> edge_of_;  // arc of the chunk -> its half-edge
 };
 
 class RingLists {
@@ -138,7 +226,7 @@ class RingLists {
     });
   }
   [[nodiscard]] const RingEdge& edge(std::int32_t e) const { return rings_.edges[at(e)]; }
-  [[nodiscard]] Site target(std::int32_t e) const { return edge(e ^ 1).origin; }
+  [[nodiscard]] Site target(std::int32_t e) const { return edge(e).target; }
 
   // A boundary site's list begins with its hull edge.
   void mark_boundary() {
@@ -146,7 +234,7 @@ class RingLists {
     std::int32_t e = rings_.hull;
     if (e == none) return;
     do {
-      const Site v = edge(e).origin;
+      const Site v = target(e ^ 1);
       lists_.is_boundary[at(v)] = true;
       rings_.first[at(v)] = e;
       e = edge(e ^ 1).next;
@@ -162,9 +250,9 @@ class RingLists {
       auto& count = counts[static_cast<std::size_t>(k)];
       count.assign(at(num_chunks_) + 1, 0);
       const auto [begin, end] = rings_.used[static_cast<std::size_t>(k)];
-      // Freed half-edges have origin -1 and count before the first chunk.
+      // Freed half-edges have target -1 and count before the first chunk.
       for (std::int32_t e = begin; e < end; ++e)
-        ++count[at((edge(e).origin >> chunk_bits) + 1)];
+        ++count[at((edge(e).target >> chunk_bits) + 1)];
     });
     for (std::int32_t k = 0; k < num_chunks_; ++k) {
       begins_[at(k) + 1] = begins_[at(k)];
@@ -175,27 +263,14 @@ class RingLists {
   void write_chunk(std::int32_t k) {
     const Site begin = k * chunk_size, end = std::min(num_sites_, begin + chunk_size);
     ChunkWriter writer(rings_.edges.data(), rings_.first.data(), lists_, begin,
-                       begins_[at(k)]);
-    for (Site v = begin; v < end; ++v) {
-      fetch_ahead(v);
-      writer.write(v, lists_.is_boundary[at(v)]);
-    }
-    far_arcs_[at(k)] = writer.take_far_arcs();
-  }
-
-  // The half-edges of a site lie anywhere in its block, which is fetched as a whole, a
-  // piece with every site of the block before.
-  void fetch_ahead(Site v) const {
-    const std::size_t first = 6 * (at(v) + at(ring_block_size));
-    if (first + 6 > rings_.edges.size()) return;
-    __builtin_prefetch(&rings_.edges[first]);
-    __builtin_prefetch(&rings_.edges[first + 5]);
+                       begins_[at(k)], begins_[at(k) + 1]);
+    writer.write_lists(end);
+    far_arcs_[at(k)] = writer.write_reverses();
   }
 
   void write_far_reverses(std::int32_t k) {
     for (const FarArc far : far_arcs_[at(k)]) {
-      lists_.reverse[at(far.arc)] = static_cast<std::uint8_t>(
-          std::min(edge(far.edge ^ 1).previous, Adjacency::far_reverse));
+      lists_.reverse[at(far.arc)] = ChunkWriter::byte(edge(far.edge ^ 1).previous);
     }
   }
 

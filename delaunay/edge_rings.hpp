@@ -14,7 +14,7 @@ namespace delone::delaunay {
 /// `previous` are its neighbours counter-clockwise and clockwise around its origin.
 struct RingEdge {
   std::int32_t next, previous;
-  Site origin;
+  Site target;
 };
 
 /// Pairs of half-edges for the taking: indices never used, and freed ones in a list that
@@ -31,7 +31,7 @@ inline constexpr Site ring_block_size = 1 << 12;
 struct EdgeRings {
   Buffer<RingEdge> edges;
   Buffer<std::int32_t> first;  ///< site -> one of the half-edges that leave it
-  /// Ranges of half-edges that have been in use, those freed again with origin -1.
+  /// Ranges of half-edges that have been in use, those freed again with target -1.
   std::vector<std::pair<std::int32_t, std::int32_t>> used;
   std::int32_t hull = none;  ///< a hull edge, the outside on its right; or none
 };

@@ -34,7 +34,7 @@ struct BlockWorker {
   using Points = typename Geometry::Points;
   static Extremes build(const Points& points, RingArrays arrays, EdgeSupply& supply,
                         BlockKeys keys, Site begin, Site end) {
-    const Geometry geometry(points);
+    const Geometry geometry(points, begin, end);
     return DivideConquer(geometry, arrays, &supply).build(keys, begin, end);
   }
   static typename BlockWork<Points>::Merged merge(const Points& points, RingArrays arrays,

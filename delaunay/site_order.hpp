@@ -42,7 +42,9 @@ class BlockKeys {
 
   /// For a range whose first and last key agree: its own curve, if it has one.
   [[nodiscard]] BlockKeys inside(Site begin, Site end) const noexcept;
-  [[nodiscard]] std::uint32_t operator[](Site s) const noexcept { return keys_[s]; }
+  [[nodiscard, gnu::always_inline]] std::uint32_t operator[](Site s) const noexcept {
+    return keys_[s];
+  }
   [[nodiscard]] bool has_cells() const noexcept { return !order_->cells.empty(); }
 
  private:
@@ -52,15 +54,27 @@ class BlockKeys {
 
 /// Where to cut the sites begin .. end - 1 (at least two): the first site of the second
 /// part. At the highest bit in which keys differ, or in the middle.
-[[nodiscard]] inline Site middle_of(BlockKeys keys, Site begin, Site end) noexcept {
+[[nodiscard, gnu::always_inline]] inline Site middle_of(BlockKeys keys, Site begin,
+                                                        Site end) noexcept {
   const std::uint32_t low = keys[begin], high = keys[end - 1];
   if (low == high) return begin + (end - begin) / 2;
   const int bit = 31 - __builtin_clz(low ^ high);
   const std::uint32_t pivot = high >> bit << bit;
-  Site a = begin, b = end - 1;  // keys[a] < pivot <= keys[b]
-  while (b - a > 1) {
-    const Site m = a + (b - a) / 2;
-    (keys[m] < pivot ? a : b) = m;
+  // No branch depends on keys: nothing would foretell it.
+  if (end - begin <= 8) {
+    Site num_below = 0;
+    for (Site i = 0; i < 8; ++i) {
+      const Site s = begin + i < end ? begin + i : end - 1;
+      num_below += static_cast<Site>(keys[s] < pivot);
+    }
+    return begin + num_below;
+  }
+  // The first key that is not below the pivot is among `left` from b on.
+  Site b = begin + 1, left = end - begin - 1;
+  while (left > 1) {
+    const Site half = left / 2;
+    b += keys[b + half - 1] < pivot ? half : 0;
+    left -= half;
   }
   return b;
 }

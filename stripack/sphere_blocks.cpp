@@ -6,7 +6,7 @@ namespace delone::stripack {
 
 delaunay::BlockWork<SpherePoints> sphere_block_work() noexcept {
 #ifdef DELONE_AVX2
-  if (__builtin_cpu_supports("avx2") != 0) return sphere_block_work_avx2();
+  if (delaunay::Avx2::is_supported()) return sphere_block_work_avx2();
 #endif
   return delaunay::BlockWorker<SphereLanes<delaunay::Portable>>::work;
 }

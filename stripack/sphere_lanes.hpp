@@ -30,45 +30,74 @@ struct SpherePoints {
 ///   w_b) / 2,
 /// which differs by at most 12 u size + 2^-100. With cross^2 + dot^2 <= size^2 the
 /// determinant is off by 2 sqrt(17^2 + 10^2) u of size_x size_y and 2 u for its products:
-/// 48 u leaves room, and 2^-99 (size_x + size_y) covers the constant.
+/// 48 u leaves room, and 2^-99 (size_x + size_y) covers the constant. No size is above
+/// the square of the diagonal of the points' bounding box, nor above 4, which gives the
+/// errors that hold for a whole block.
 template <class InstructionSet>
 class SphereLanes {
  public:
   using Points = SpherePoints;
   using Double4 = delaunay::Double4;
+  using Mask4 = delaunay::Mask4;
   using Site = std::int32_t;
   static constexpr bool can_close = true;
 
-  explicit SphereLanes(const SpherePoints& p) noexcept : points_(p.points) {}
-
-  struct Base {
-    double ax, ay, az, bx, by, bz, half_square;
-  };
-  struct Lanes {
-    Double4 cross, dot, size, cross_error;
-  };
-
-  [[gnu::always_inline]] Base base(Site a, Site b) const noexcept {
-    const Direction &p = points_[a], &q = points_[b];
-    const double x = q.x() - p.x(), y = q.y() - p.y(), z = q.z() - p.z();
-    return {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), 0.5 * (x * x + y * y + z * z)};
+  /// For merging any of the points.
+  explicit SphereLanes(const SpherePoints& p) noexcept : points_(p.points) {
+    set_errors(4);
+  }
+  /// For the points begin .. end - 1.
+  SphereLanes(const SpherePoints& p, Site begin, Site end) noexcept : points_(p.points) {
+    set_errors(square_diagonal(begin, end));
   }
 
-  [[gnu::always_inline]] Lanes lanes(const Base& base,
+  /// An end of the base.
+  struct Corner {
+    Double4 x, y, z;
+  };
+  struct Lanes {
+    Double4 cross, dot;
+    Mask4 is_end;  ///< the candidate is an end of the base
+  };
+
+  [[gnu::always_inline]] Corner corner(Site a) const noexcept {
+    const Direction& p = points_[a];
+    return {delaunay::four(p.x()), delaunay::four(p.y()), delaunay::four(p.z())};
+  }
+
+  [[gnu::always_inline]] Lanes lanes(const Corner& a, const Corner& b,
                                      const Site (&s)[4]) const noexcept {
     const Direction &p = points_[s[0]], &q = points_[s[1]], &r = points_[s[2]],
                     &t = points_[s[3]];
     const Double4 x{p.x(), q.x(), r.x(), t.x()}, y{p.y(), q.y(), r.y(), t.y()},
         z{p.z(), q.z(), r.z(), t.z()};
-    const Double4 ax = base.ax - x, ay = base.ay - y, az = base.az - z;
-    const Double4 bx = base.bx - x, by = base.by - y, bz = base.bz - z;
-    const Double4 cross =
-        x * (ay * bz - az * by) + y * (az * bx - ax * bz) + z * (ax * by - ay * bx);
-    const Double4 dot = ax * bx + ay * by + az * bz, size = dot + base.half_square;
-    return {cross, dot, size, 10 * 0x1p-53 * size + 0x1p-1000};
+    const Double4 ax = a.x - x, ay = a.y - y, az = a.z - z;
+    const Double4 bx = b.x - x, by = b.y - y, bz = b.z - z;
+    const Double4 nx = InstructionSet::difference_of_products(ay, bz, az, by);
+    const Double4 ny = InstructionSet::difference_of_products(az, bx, ax, bz);
+    const Double4 nz = InstructionSet::difference_of_products(ax, by, ay, bx);
+    return {InstructionSet::sum_of_products(x, nx, y, ny, z, nz),
+            InstructionSet::sum_of_products(ax, bx, ay, by, az, bz),
+            delaunay::are_zero(ax, ay, az) | delaunay::are_zero(bx, by, bz)};
   }
 
-  /// Error of dot_x cross_y - dot_y cross_x.
+  [[gnu::always_inline]] Double4 sizes(Site a, Site b,
+                                       const Lanes& lanes) const noexcept {
+    const Direction &p = points_[a], &q = points_[b];
+    const double x = q.x() - p.x(), y = q.y() - p.y(), z = q.z() - p.z();
+    return lanes.dot + 0.5 * (x * x + y * y + z * z);
+  }
+
+  /// No sum of rounded coordinates is known to be exact.
+  [[gnu::always_inline]] static constexpr bool is_exact() noexcept { return false; }
+
+  /// Errors of cross, and of dot_x cross_y - dot_y cross_x: of any points of the block,
+  /// or of those of the sizes given.
+  [[gnu::always_inline]] Double4 cross_error() const noexcept { return cross_error_; }
+  [[gnu::always_inline]] Double4 circle_error() const noexcept { return circle_error_; }
+  [[gnu::always_inline]] Double4 cross_error(const Double4& size) const noexcept {
+    return 10 * 0x1p-53 * size + 0x1p-1000;
+  }
   [[gnu::always_inline]] Double4 circle_error(const Double4& size_x,
                                               const Double4& size_y) const noexcept {
     return 48 * 0x1p-53 * (size_x * size_y) + 0x1p-99 * (size_x + size_y) + 0x1p-1000;
@@ -84,28 +113,57 @@ class SphereLanes {
   [[gnu::noinline]] int in_circle(Site a, Site b, Site c, Site d) const noexcept {
     return in_circle_perturbed(points_[a], points_[b], points_[c], points_[d]);
   }
-  // No sum of rounded coordinates is known to be exact.
-  [[gnu::noinline]] int break_tie(Site a, Site b, Site c, Site d) const noexcept {
-    return in_circle(a, b, c, d);
-  }
 
   /// Is x certainly outside of the disc with diameter ab?
   [[nodiscard]] bool is_outside_disc(Site a, Site b, Site x) const noexcept {
-    const Lanes l = lanes(base(a, b), {x, x, x, x});
-    return l.dot[0] > 18 * 0x1p-53 * l.size[0] + 0x1p-99;
+    const Lanes l = lanes(corner(a), corner(b), {x, x, x, x});
+    return l.dot[0] > 18 * 0x1p-53 * sizes(a, b, l)[0] + 0x1p-99;
   }
 
   [[gnu::always_inline]] bool less_u(Site a, Site b) const noexcept {
-    return is_less_u(points_[a], points_[b]) ||
-           (!is_less_u(points_[b], points_[a]) && is_less_v(points_[a], points_[b]));
+    const Direction &p = points_[a], &q = points_[b];
+    const double left = p.x() * q.y(), right = p.y() * q.x();
+    return left != right ? left > right : less_u_closely(p, q);
   }
   [[gnu::always_inline]] bool less_v(Site a, Site b) const noexcept {
-    return is_less_v(points_[a], points_[b]) ||
-           (!is_less_v(points_[b], points_[a]) && is_less_u(points_[a], points_[b]));
+    const Direction &p = points_[a], &q = points_[b];
+    const double left = p.z() * axis_part(q), right = q.z() * axis_part(p);
+    return left != right ? left < right : less_v_closely(p, q);
   }
 
  private:
+  [[gnu::noinline]] static bool less_u_closely(const Direction& p,
+                                               const Direction& q) noexcept {
+    return is_less_u(p, q) || (!is_less_u(q, p) && is_less_v(p, q));
+  }
+  [[gnu::noinline]] static bool less_v_closely(const Direction& p,
+                                               const Direction& q) noexcept {
+    return is_less_v(p, q) || (!is_less_v(q, p) && is_less_u(p, q));
+  }
+  // Rounding up of the diagonal is in the room the bounds leave.
+  void set_errors(double square_diagonal) noexcept {
+    const Double4 size = delaunay::four(square_diagonal);
+    cross_error_ = cross_error(size);
+    circle_error_ = circle_error(size, size);
+  }
+  [[nodiscard]] double square_diagonal(Site begin, Site end) const noexcept {
+    const Direction& first = points_[begin];
+    double low[3] = {first.x(), first.y(), first.z()};
+    double high[3] = {first.x(), first.y(), first.z()};
+    for (Site s = begin + 1; s < end; ++s) {
+      const double p[3] = {points_[s].x(), points_[s].y(), points_[s].z()};
+      for (int k = 0; k < 3; ++k) {
+        low[k] = p[k] < low[k] ? p[k] : low[k];
+        high[k] = high[k] < p[k] ? p[k] : high[k];
+      }
+    }
+    double square = 0;
+    for (int k = 0; k < 3; ++k) square += (high[k] - low[k]) * (high[k] - low[k]);
+    return square;
+  }
+
   const Direction* points_;
+  Double4 cross_error_, circle_error_;
 };
 
 }  // namespace delone::stripack

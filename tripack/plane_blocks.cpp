@@ -6,7 +6,7 @@ namespace delone::tripack {
 
 delaunay::BlockWork<PlanePoints> plane_block_work() noexcept {
 #ifdef DELONE_AVX2
-  if (__builtin_cpu_supports("avx2") != 0) return plane_block_work_avx2();
+  if (delaunay::Avx2::is_supported()) return plane_block_work_avx2();
 #endif
   return delaunay::BlockWorker<PlaneLanes<delaunay::Portable>>::work;
 }

@@ -8,11 +8,11 @@
 
 namespace delone::tripack {
 
-/// Points in site order, and the unit of the lattice they lie on: a power of two of which
-/// all coordinates are multiples, or 0.
+/// Points in site order, the unit of the lattice they lie on (a power of two of which all
+/// coordinates are multiples, or 0), and the square of their bounding box's diagonal.
 struct PlanePoints {
   const Point2* points;
-  double unit;
+  double unit, square_diagonal;
 };
 
 /// The plane as blocks are merged in it (delaunay::DivideConquer).
@@ -27,8 +27,9 @@ struct PlanePoints {
 /// Cauchy), and size itself by less than 11 u. 5 u leaves room. In the determinant the
 /// errors of the factors make 4 u (|dot| + |cross|) of either point times the size of the
 /// other, at most 8 sqrt(2) u, its products and their sum 2 u more: 16 u of size_x size_y
-/// leaves room. The added constant covers underflow. Overflow makes bounds infinite, so
-/// that nothing is certain.
+/// leaves room. The added constant covers underflow. Overflow makes bounds NaN or
+/// infinite, so that nothing is certain. No size is above the square of the diagonal of
+/// the points' bounding box, which gives the errors that hold for a whole block.
 ///
 /// On a lattice of unit g (a power of two) cross, dot and size are multiples of g^2 and
 /// exact up to 2^53 g^2, the products of the determinant multiples of g^4 and exact up to
@@ -38,40 +39,63 @@ class PlaneLanes {
  public:
   using Points = PlanePoints;
   using Double4 = delaunay::Double4;
+  using Mask4 = delaunay::Mask4;
   using Site = std::int32_t;
   static constexpr bool can_close = false;
 
+  /// For merging any of the points.
   explicit PlaneLanes(const PlanePoints& p) noexcept
       : points_(p.points),
         exact_size_(p.unit > 0 ? 0x1p50 * p.unit * p.unit : -1),
-        exact_product_(p.unit > 0 ? exact_size_ * p.unit * p.unit : -1) {}
+        exact_product_(p.unit > 0 ? exact_size_ * p.unit * p.unit : -1) {
+    set_errors(p.square_diagonal);
+  }
+  /// For the points begin .. end - 1.
+  PlaneLanes(const PlanePoints& p, Site begin, Site end) noexcept : PlaneLanes(p) {
+    set_errors(square_diagonal(begin, end));
+  }
 
-  struct Base {
-    double ax, ay, bx, by, half_square;
+  /// An end of the base.
+  struct Corner {
+    Double4 x, y;
   };
   struct Lanes {
-    Double4 cross, dot, size, cross_error;
+    Double4 cross, dot;
+    Mask4 is_end;  ///< the candidate is an end of the base
   };
 
-  [[gnu::always_inline]] Base base(Site a, Site b) const noexcept {
-    const Point2 p = points_[a], q = points_[b];
-    const double x = q.x - p.x, y = q.y - p.y;
-    return {p.x, p.y, q.x, q.y, 0.5 * (x * x + y * y)};
+  [[gnu::always_inline]] Corner corner(Site a) const noexcept {
+    const Point2& p = points_[a];
+    return {delaunay::four(p.x), delaunay::four(p.y)};
   }
 
-  [[gnu::always_inline]] Lanes lanes(const Base& base,
+  [[gnu::always_inline]] Lanes lanes(const Corner& a, const Corner& b,
                                      const Site (&s)[4]) const noexcept {
-    const Point2 &p = points_[s[0]], &q = points_[s[1]], &r = points_[s[2]],
-                 &t = points_[s[3]];
-    const Double4 x{p.x, q.x, r.x, t.x}, y{p.y, q.y, r.y, t.y};
-    const Double4 ax = base.ax - x, ay = base.ay - y;
-    const Double4 bx = base.bx - x, by = base.by - y;
-    const Double4 dot = ax * bx + ay * by, size = dot + base.half_square;
-    const Double4 error = 5 * 0x1p-53 * size + 0x1p-960;
-    return {ax * by - ay * bx, dot, size, size <= exact_size_ ? Double4{} : error};
+    const auto [x, y] = delaunay::transposed(&points_[s[0]].x, &points_[s[1]].x,
+                                             &points_[s[2]].x, &points_[s[3]].x);
+    const Double4 ax = a.x - x, ay = a.y - y, bx = b.x - x, by = b.y - y;
+    return {InstructionSet::difference_of_products(ax, by, ay, bx),
+            InstructionSet::sum_of_products(ax, bx, ay, by),
+            delaunay::are_zero(ax, ay) | delaunay::are_zero(bx, by)};
   }
 
-  /// Error of dot_x cross_y - dot_y cross_x.
+  [[gnu::always_inline]] Double4 sizes(Site a, Site b,
+                                       const Lanes& lanes) const noexcept {
+    const double x = points_[b].x - points_[a].x, y = points_[b].y - points_[a].y;
+    return lanes.dot + 0.5 * (x * x + y * y);
+  }
+
+  /// Are signs of the block free of errors?
+  [[gnu::always_inline]] bool is_exact() const noexcept { return circle_error_[0] == 0; }
+
+  /// Errors of cross, and of dot_x cross_y - dot_y cross_x: of any points of the block,
+  /// or of those of the sizes given.
+  [[gnu::always_inline]] Double4 cross_error() const noexcept { return cross_error_; }
+  [[gnu::always_inline]] Double4 circle_error() const noexcept { return circle_error_; }
+  [[gnu::always_inline]] Double4 cross_error(const Double4& size) const noexcept {
+    const Double4 error = 5 * 0x1p-53 * size + (0x1p-960 + 0 * size);
+    return size <= exact_size_ ? Double4{} : error;
+  }
   [[gnu::always_inline]] Double4 circle_error(const Double4& size_x,
                                               const Double4& size_y) const noexcept {
     const Double4 product = size_x * size_y;
@@ -89,23 +113,37 @@ class PlaneLanes {
   [[gnu::noinline]] int in_circle(Site a, Site b, Site c, Site d) const noexcept {
     return in_circle_perturbed(points_[a], points_[b], points_[c], points_[d]);
   }
-  /// The same for four points known to lie on one circle.
-  [[gnu::noinline]] int break_tie(Site a, Site b, Site c, Site d) const noexcept {
-    return tripack::break_tie(points_[a], points_[b], points_[c], points_[d]);
-  }
 
   [[gnu::always_inline]] bool less_u(Site a, Site b) const noexcept {
     const Point2 &p = points_[a], &q = points_[b];
-    return p.x < q.x || (p.x == q.x && p.y < q.y);
+    return (p.x < q.x) | ((p.x == q.x) & (p.y < q.y));
   }
   [[gnu::always_inline]] bool less_v(Site a, Site b) const noexcept {
     const Point2 &p = points_[a], &q = points_[b];
-    return p.y < q.y || (p.y == q.y && p.x < q.x);
+    return (p.y < q.y) | ((p.y == q.y) & (p.x < q.x));
   }
 
  private:
+  // Rounding up of the diagonal is in the room the bounds leave.
+  void set_errors(double square_diagonal) noexcept {
+    const Double4 size = delaunay::four(square_diagonal);
+    cross_error_ = cross_error(size);
+    circle_error_ = circle_error(size, size);
+  }
+  [[nodiscard]] double square_diagonal(Site begin, Site end) const noexcept {
+    Point2 low = points_[begin], high = low;
+    for (Site s = begin + 1; s < end; ++s) {
+      const Point2 p = points_[s];
+      low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
+      high = {high.x < p.x ? p.x : high.x, high.y < p.y ? p.y : high.y};
+    }
+    const double x = high.x - low.x, y = high.y - low.y;
+    return x * x + y * y;
+  }
+
   const Point2* points_;
   double exact_size_, exact_product_;
+  Double4 cross_error_, circle_error_;
 };
 
 }  // namespace delone::tripack

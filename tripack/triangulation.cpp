@@ -106,7 +106,10 @@ double lattice_unit(std::span<const Point2> points, const Box& box) {
 Adjacency build(std::span<const Point2> points, const delaunay::SiteOrder& order,
                 const RunOptions& run) {
   using Builder = delaunay::RingBuilder<PlaneLanes<delaunay::Portable>>;
-  const PlanePoints plane{points.data(), lattice_unit(points, bounding_box(points))};
+  const Box box = bounding_box(points);
+  const double width = box.high_x - box.low_x, height = box.high_y - box.low_y;
+  const PlanePoints plane{points.data(), lattice_unit(points, box),
+                          width * width + height * height};
   return Adjacency(
       delaunay::take_lists(Builder(plane, order, plane_block_work()).build(run), run));
 }

@@ -20,7 +20,7 @@ std::vector<std::vector<Site>> lists_of(const delaunay::EdgeRings& rings) {
   for (std::size_t v = 0; v < lists.size(); ++v) {
     std::int32_t e = rings.first[v];
     do {
-      lists[v].push_back(rings.edges[static_cast<std::size_t>(e ^ 1)].origin);
+      lists[v].push_back(rings.edges[static_cast<std::size_t>(e)].target);
       e = rings.edges[static_cast<std::size_t>(e)].next;
     } while (e != rings.first[v]);
   }
