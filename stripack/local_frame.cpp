@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "delaunay/double_double.hpp"
+#include "stripack/predicates.hpp"
 
 namespace delone::stripack {
 
@@ -25,14 +26,6 @@ DoubleDouble dot(const WideVector& a, const WideVector& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// 1 / |d| - 1, which is tiny: |d|^2 = 1 + e.
-double stretch(const Direction& d) {
-  const DoubleDouble square =
-      two_product(d.x(), d.x()) + two_product(d.y(), d.y()) + two_product(d.z(), d.z());
-  const double e = (square - DoubleDouble{1, 0}).rounded();
-  return e * (-0.5 + 0.375 * e);
-}
-
 WideVector difference(const Direction& a, const Direction& b) {
   return {two_difference(a.x(), b.x()), two_difference(a.y(), b.y()),
           two_difference(a.z(), b.z())};
@@ -50,6 +43,43 @@ WideVector cross(const Direction& v, const WideVector& d) {
 }
 
 constexpr double tiny = 0x1p-80;
+// Products of numbers below have no room for their roundings.
+constexpr double underflow = 0x1p-500;
+constexpr int lift = 600;
+
+/// A vector times 2^scale.
+struct ScaledVector {
+  WideVector vector;
+  int scale = 0;
+};
+
+// v x d, also of subnormal d.
+ScaledVector lifted_cross(const Direction& v, const WideVector& d) {
+  const WideVector turned = cross(v, d);
+  if (largest_component(turned) >= underflow) return {turned, 0};
+  const double factor = std::ldexp(1.0, lift);
+  return {cross(v, {d.x * factor, d.y * factor, d.z * factor}), lift};
+}
+
+/// About the sine of the angle between two directions, whatever their lengths; 1 for
+/// opposite ones.
+struct ScaledLength {
+  double value = 0;
+  int scale = 0;
+  [[nodiscard]] bool is_below(double limit) const {
+    return std::ldexp(value, -scale) < limit;
+  }
+  [[nodiscard]] bool is_below(double limit, const ScaledLength& other) const {
+    return std::ldexp(value, std::min(other.scale - scale, 0)) <
+           limit * std::ldexp(other.value, std::min(scale - other.scale, 0));
+  }
+};
+ScaledLength separation(const Direction& a, const Direction& b) {
+  const WideVector d = difference(b, a);
+  if (largest_component(d) > 0.5) return {1, 0};
+  const auto [turned, scale] = lifted_cross(a, d);
+  return {largest_component(turned), scale};
+}
 
 /// A spoke times 2^scale, the rise times 2^(2 scale): a direction as far from v as from w
 /// does not depend on the length of the spoke.
@@ -66,13 +96,16 @@ DoubleDouble scaled(DoubleDouble a, int exponent) {
 // by a right angle.
 WideSpoke wide_spoke(const Direction& v, const Direction& w, const SpaceVector& first,
                      const SpaceVector& second) {
-  const WideVector d = difference(w, v), turned = cross(v, d);
-  const double largest = largest_component(turned);
+  const WideVector d = difference(w, v);
+  const ScaledVector turned = lifted_cross(v, d);
+  const int lifted = turned.scale;
+  const double largest = largest_component(turned.vector);
   const bool is_close = largest_component(d) < 0.5;  // and not opposite
-  const int scale = is_close && largest > 0 && largest < tiny ? -std::ilogb(largest) : 0;
+  const bool is_tiny = is_close && largest > 0 && (lifted > 0 || largest < tiny);
+  const int rest = is_tiny ? -std::ilogb(largest) : -lifted, scale = rest + lifted;
   const double stretch_v = stretch(v), stretch_w = stretch(w);
   const auto component = [&](const SpaceVector& axis) {
-    const DoubleDouble c = scaled(dot(turned, axis), scale);
+    const DoubleDouble c = scaled(dot(turned.vector, axis), rest);
     return c + c * stretch_v + c * stretch_w;
   };
   const DoubleDouble x = component(second), y = -component(first);
@@ -86,13 +119,35 @@ WideSpoke wide_spoke(const Direction& v, const Direction& w, const SpaceVector& 
   return {x, y, dot(u, u) * 0.5, 0};
 }
 
+// The determinant of scaled spokes, which are about 1 long. What is left by rounding of
+// directions on one great circle is more than the place of a circle through sites closer
+// than that.
+DoubleDouble exact_if_zero(DoubleDouble det, const Direction& v, const Direction& b,
+                           const Direction& c) {
+  constexpr double doubtful = 0x1p-90;
+  if (std::abs(det.high) > doubtful || orientation(v, b, c) != 0) return det;
+  return {};
+}
+
 }  // namespace
 
+// |d|^2 = 1 + e
+double stretch(const Direction& d) noexcept {
+  const DoubleDouble square =
+      two_product(d.x(), d.x()) + two_product(d.y(), d.y()) + two_product(d.z(), d.z());
+  const double e = (square - DoubleDouble{1, 0}).rounded();
+  return e * (-0.5 + 0.375 * e);
+}
+
+// Sites closer than normal numbers can tell are moved to where those can: their direction
+// counts, the distance is nothing to any other length.
 Spoke LocalFrame::spoke_of_close_site(const Direction& w) const noexcept {
+  constexpr int largest_scale = 900;
   const WideSpoke wide = wide_spoke(up_, w, first_, second_);
-  const double x = std::ldexp(wide.x.rounded(), -wide.scale),
-               y = std::ldexp(wide.y.rounded(), -wide.scale);
-  return {x, y, x * x + y * y, std::ldexp(wide.rise.rounded(), -2 * wide.scale)};
+  const int scale = std::min(wide.scale, largest_scale);
+  const double x = std::ldexp(wide.x.rounded(), -scale),
+               y = std::ldexp(wide.y.rounded(), -scale);
+  return {x, y, x * x + y * y, std::ldexp(wide.rise.rounded(), -2 * scale)};
 }
 
 double LocalFrame::determinant(const Direction& b, const Direction& c) const noexcept {
@@ -105,9 +160,8 @@ double LocalFrame::determinant(const Direction& b, const Direction& c) const noe
 // Two sites that are nothing but close seen from far away are seen from one of them.
 LocalVector LocalFrame::circumcenter_wide(const Direction& b,
                                           const Direction& c) const noexcept {
-  const double near = largest_component(difference(c, b)),
-               far = largest_component(difference(b, up_));
-  if (near < tiny && near < tiny * far) {
+  const ScaledLength near = separation(b, c), far = separation(up_, b);
+  if (near.is_below(tiny) && near.is_below(tiny, far)) {
     const LocalFrame frame(b);
     return local(frame.direction(frame.circumcenter_here(c, up_)));
   }
@@ -123,7 +177,7 @@ LocalVector LocalFrame::circumcenter_here(const Direction& b,
   const int common = std::min(to_b.scale, to_c.scale);
   const DoubleDouble rise_b = scaled(to_b.rise, common - to_b.scale),
                      rise_c = scaled(to_c.rise, common - to_c.scale);
-  const DoubleDouble up = to_b.x * to_c.y - to_b.y * to_c.x,
+  const DoubleDouble up = exact_if_zero(to_b.x * to_c.y - to_b.y * to_c.x, up_, b, c),
                      x = rise_b * to_c.y - rise_c * to_b.y,
                      y = to_b.x * rise_c - to_c.x * rise_b;
   const int shift = up.high == 0 ? 0 : -common;

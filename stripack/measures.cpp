@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "delaunay/double_double.hpp"
 #include "delaunay/error.hpp"
 #include "stripack/great_circle.hpp"
 #include "stripack/local_frame.hpp"
@@ -10,6 +11,9 @@
 namespace delone::stripack {
 
 namespace {
+
+using delaunay::DoubleDouble;
+using delaunay::two_product;
 
 template <class Length>
 TriangleQuality measure(const Triangulation& t, Length length) {
@@ -37,16 +41,27 @@ double angle_at(const Direction& a, const Direction& b, const Direction& c) {
   return std::atan2(std::abs(frame.determinant(b, c)), to_b.x * to_c.x + to_b.y * to_c.y);
 }
 
+DoubleDouble cosine(const Direction& a, const Direction& b, double longer) {
+  const DoubleDouble dot =
+      two_product(a.x(), b.x()) + two_product(a.y(), b.y()) + two_product(a.z(), b.z());
+  return dot + dot * longer;
+}
+
+// 1 + cos(a, b) + cos(b, c) + cos(c, a), which cancels where corners are almost opposite.
+double one_and_cosines(const Direction& a, const Direction& b, const Direction& c) {
+  const double u = stretch(a), v = stretch(b), w = stretch(c);
+  return (cosine(a, b, u + v) + cosine(b, c, v + w) + cosine(c, a, w + u) +
+          DoubleDouble{1, 0})
+      .rounded();
+}
+
 }  // namespace
 
 double signed_area(const Direction& a, const Direction& b, const Direction& c) noexcept {
   const int side = orientation(a, b, c);
   if (side == 0) return 0;
-  const LocalFrame frame(a);
-  const Spoke to_b = frame.spoke(b), to_c = frame.spoke(c);
-  const double b_to_c = LocalFrame(b).spoke(c).rise;
-  const double det = std::abs(frame.determinant(b, c));
-  return 2 * side * std::atan2(det, 4 - to_b.rise - to_c.rise - b_to_c);
+  const double det = std::abs(LocalFrame(a).determinant(b, c));
+  return 2 * side * std::atan2(det, one_and_cosines(a, b, c));
 }
 
 std::array<double, 3> angles(const Direction& a, const Direction& b,
@@ -58,7 +73,7 @@ Cap circumcircle(const Direction& a, const Direction& b, const Direction& c) {
   if (is_same_direction(a, b) || is_same_direction(b, c) || is_same_direction(c, a))
     throw Error("a circle needs three different directions");
   const LocalFrame frame(a);
-  const LocalVector center = frame.circumcenter(b, c, frame.spoke(b), frame.spoke(c));
+  const LocalVector center = frame.circumcenter_wide(b, c);
   return {frame.direction(center), std::atan2(std::hypot(center.x, center.y), center.up)};
 }
 

@@ -22,9 +22,19 @@ using Corners = std::array<Site, 3>;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
+// Seen from the corner whose angle has the largest sine, the one across from the longest
+// side.
 Direction circumcenter(std::span<const Direction> points, const Corners& face) {
-  const Direction &b = points[at(face[1])], &c = points[at(face[2])];
-  const LocalFrame frame(points[at(face[0])]);
+  std::array<double, 3> squares{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SpaceVector d =
+        vector(points[at(face[(i + 1) % 3])]) - vector(points[at(face[(i + 2) % 3])]);
+    squares[i] = dot(d, d);
+  }
+  const auto k = static_cast<std::size_t>(
+      std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const Direction &b = points[at(face[(k + 1) % 3])], &c = points[at(face[(k + 2) % 3])];
+  const LocalFrame frame(points[at(face[k])]);
   return frame.direction(frame.circumcenter(b, c, frame.spoke(b), frame.spoke(c)));
 }
 

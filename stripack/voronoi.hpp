@@ -29,9 +29,12 @@ struct VoronoiEdge {
 /// the triangles. Sites of one great circle have lunes between its two poles, two sites a
 /// hemisphere each without vertices, and a single one has the sphere.
 ///
-/// Accuracy: directions of vertices to 1e-15 radians, also for triangles of 1e-9 radians
-/// and slivers, down to angles of 1e-8, and for sites down to 1e-300 apart. Which
-/// triangles share a vertex is exact. Cost: O(n).
+/// Accuracy: directions of vertices to 1e-15 radians and 4e-15 of the circumradius (3e-14
+/// where a triangle's largest angle is between 120 and 173 degrees), for triangles of any
+/// size, down to sites that the smallest doubles are apart, and slivers down to angles of
+/// 1e-8. Which triangles share a vertex is exact.
+///
+/// Cost: O(n); 0.7 microseconds a site on one thread (AMD EPYC Zen 5), 160 bytes.
 ///
 /// Sources: K. Q. Brown, Inf. Process. Lett. 9 (1979) 223-228; R. J. Renka, ACM Trans.
 /// Math. Softw. 23 (1997) 416-434, for the diagram of a hemisphere's sites.
@@ -80,18 +83,29 @@ struct CellMeasure {
 
 /// Areas of all cells in steradians, in site order (`t.sites()` leads from rows).
 ///
-/// They sum to 4 pi to 1e-13. Small cells keep their digits: the relative error stays
-/// below 1e-12 for cells of 1e-9 radians, because corners are found relative to the site
-/// and areas with arc tangents. O(n), about 0.2 microseconds a site.
+/// They sum to 4 pi to 1e-13, and each keeps its digits however small it is: a cell that
+/// is r times as long as it is wide is found to 2e-15 (1 + r) of itself, unless it
+/// reaches farther than 63 degrees from its site, where the bound is 1e-14 steradians for
+/// every corner. Why: circumcentres are found relative to the site, to 5e-15 of their
+/// distance R with the usual angles (stripack/local_frame.hpp has the bound); an error e
+/// across the cell's width w changes the area by e / w of it, and R / w is about r. The
+/// triangles from the site to its corners have areas with tan(E / 2) = det / (1 +
+/// cosines), in which nothing cancels, and the halves of their areas add up as the
+/// argument of a product of complex numbers, so there is one arc tangent a cell. Cells
+/// that reach beyond 120 degrees are 2 pi less the turns at their corners.
+///
+/// O(n). A million cells on one thread (AMD EPYC Zen 5): 0.08 s uniform, 0.11 s for
+/// satellite tracks (r = 60); 0.13 s on processors without AVX2. Bitwise the same for
+/// every number of threads and every processor.
 [[nodiscard]] std::vector<double> voronoi_areas(const Triangulation& t,
                                                 const RunOptions& options = {});
-/// The same with centroids.
+/// The same with centroids. 0.2 s for a million cells.
 [[nodiscard]] std::vector<CellMeasure> voronoi_measures(const Triangulation& t,
                                                         const RunOptions& options = {});
 
 /// Areas on WGS84 in square kilometres, of the cells whose corners are the vertices,
 /// taken as directions of geodetic latitude and longitude, with geodesic edges. They sum
-/// to 510065621.724 km^2. About 10 microseconds a site.
+/// to 510065621.724 km^2. About 6 microseconds a site.
 ///
 /// Source: C. F. F. Karney, J. Geod. 87 (2013) 43-55.
 [[nodiscard]] std::vector<double> voronoi_areas_km2_wgs84(const Voronoi& voronoi,

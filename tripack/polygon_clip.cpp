@@ -9,10 +9,6 @@ namespace delone::tripack {
 
 namespace {
 
-double height(const HalfPlane& half, Point2 p) {
-  return half.normal.x * p.x + half.normal.y * p.y - half.offset;
-}
-
 // A run of corners inside, between the point where the boundary comes in and the one
 // where it goes out.
 struct Chain {
@@ -23,11 +19,6 @@ struct Chain {
 // Along the line, with the half-plane on the left.
 double place(const HalfPlane& half, Point2 p) {
   return half.normal.x * p.y - half.normal.y * p.x;
-}
-
-Point2 crossing(Point2 inside, Point2 outside, double inner, double outer) {
-  const double t = inner / (inner - outer);
-  return {inside.x + t * (outside.x - inside.x), inside.y + t * (outside.y - inside.y)};
 }
 
 std::vector<Chain> chains_of(const Polygon& polygon, const std::vector<double>& heights,

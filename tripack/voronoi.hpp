@@ -36,7 +36,8 @@ struct VoronoiEdge {
 ///
 /// Accuracy: each coordinate of a vertex is the circumcentre's to within one unit in its
 /// last place or 2^-80 of the circumradius, slivers included. Which triangles share a
-/// vertex is exact. Cost: O(n), about 1.1 microseconds a site; 60 bytes a site.
+/// vertex is exact. Cost: O(n); 0.8 microseconds a site on one thread (AMD EPYC Zen 5;
+/// 0.5 on a lattice), 88 bytes.
 ///
 /// Source: A. Okabe, B. Boots, K. Sugihara, S. N. Chiu, Spatial Tessellations, 2nd ed.
 /// (2000).
@@ -95,9 +96,12 @@ struct CellMeasure {
 /// rows).
 ///
 /// One pass over the sites without a diagram: cells wholly inside the region cost one
-/// circumcentre a corner, 40 to 60 ns a site, others are cut by their neighbours'
-/// bisectors, so that circumcentres far away do no harm. In the whole plane unbounded
-/// cells have infinite area. They sum to the region's area to 1e-12 of it. A single site
+/// circumcentre a corner, 50 to 80 ns a site (AMD EPYC Zen 5, one thread), others are cut
+/// by their neighbours' bisectors, so that circumcentres far away do no harm; that is
+/// linear in the number of neighbours if the region is convex. If it is not, the sides
+/// that a cell has near the region count twice: k of them cost O(k^2). In the whole plane
+/// unbounded cells have infinite area. They sum to the region's area to 1e-12 of it. A
+/// single site
 /// has the whole region.
 [[nodiscard]] std::vector<double> voronoi_areas(const Triangulation& t,
                                                 const Region& region = {},

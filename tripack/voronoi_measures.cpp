@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include "delaunay/parallel.hpp"
 #include "tripack/circumcenter.hpp"
@@ -129,20 +128,6 @@ std::vector<Result> measure_cells(const Triangulation& t, const Region& region,
 }
 
 }  // namespace
-
-std::vector<Polygon> cut_cell(const Triangulation& t, Site s, const Region& region) {
-  const Point2 p = t.points()[at(s)];
-  Polygon corners = region.corners();
-  for (Point2& corner : corners) corner = {corner.x - p.x, corner.y - p.y};
-  std::vector<Polygon> parts;
-  parts.push_back(std::move(corners));
-  for (const Site w : t.adjacency().neighbors(s)) {
-    const Point2 q = t.points()[at(w)];
-    parts = clip(std::move(parts), nearer_to_origin({q.x - p.x, q.y - p.y}));
-    if (parts.empty()) break;
-  }
-  return parts;
-}
 
 std::vector<double> voronoi_areas(const Triangulation& t, const Region& region,
                                   const RunOptions& options) {
