@@ -99,7 +99,8 @@ ExitCode run(const Settings& settings, Reporter& reporter) {
   reporter.timed(Phase::write, [&] {
     io::write_text(settings.output.path, as_text(settings, points, blocks));
   });
-  reporter.say("wrote {}", settings.output.path);
+  if (!is_standard_output(settings.output))
+    reporter.say("wrote {}", settings.output.path);
   return ExitCode::done;
 }
 
@@ -157,8 +158,8 @@ Command add_block_command(CLI::App& program) {
   add_point_options(app, settings->points, Values::on_request);
   settings->points.columns.needs_value = true;
   add_block_options(app, *settings);
-  add_output_options(app, settings->output,
-                     ".csv: position, value, count and, with --weight, weight");
+  add_optional_output_options(app, settings->output,
+                              ".csv: position, value, count and, with --weight, weight");
   app.footer(
       "Blocks that hold nothing are absent; the others come row by row from south to "
       "north. A block\n"

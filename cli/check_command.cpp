@@ -6,13 +6,16 @@
 #include <optional>
 #include <unordered_map>
 
+#include "cli/constraints.hpp"
 #include "cli/output.hpp"
 #include "cli/points.hpp"
 #include "io/output_file.hpp"
 #include "io/triangle_file.hpp"
+#include "stripack/constrained_list_defect.hpp"
 #include "stripack/defect.hpp"
 #include "stripack/hash.hpp"
 #include "stripack/predicates.hpp"
+#include "tripack/constrained_list_defect.hpp"
 #include "tripack/defect.hpp"
 #include "tripack/hash.hpp"
 #include "tripack/predicates.hpp"
@@ -23,6 +26,7 @@ namespace {
 struct Settings {
   PointSettings points;
   std::string triangles;
+  ConstraintSettings constraints;
 };
 
 /// From data rows to kept rows.
@@ -103,14 +107,23 @@ struct Verdict {
   std::string holding;
   Defect defect;
   std::string hash{};  ///< of triangles without a defect
+  std::string_view kind = "Delaunay";
 };
+
+std::string hash_of(std::span<const tripack::Point2> points,
+                    std::span<const io::Triangle> triangles) {
+  return to_string(tripack::hash_of_positions(points, triangles));
+}
+std::string hash_of(std::span<const stripack::Direction> points,
+                    std::span<const io::Triangle> triangles) {
+  return to_string(stripack::hash_of_positions(points, triangles));
+}
 
 std::string hash_of(const Points& points, std::vector<io::Triangle> triangles) {
   const KeptRows kept(points.table);
   for (io::Triangle& t : triangles) static_cast<void>(kept.replace(t));
-  return delaunay::to_string(
-      points.is_on_plane() ? tripack::hash_of_positions(plane_points(points), triangles)
-                           : stripack::hash_of_positions(directions(points), triangles));
+  return points.is_on_plane() ? hash_of(plane_points(points), triangles)
+                              : hash_of(directions(points), triangles);
 }
 
 template <class Find>
@@ -145,21 +158,86 @@ Verdict judge(const Settings& settings, const Points& points, Reporter& reporter
   });
 }
 
-ExitCode run(const Settings& settings, Reporter& reporter) {
-  check_inputs(settings.points.path, settings.triangles);
-  const Points points = read_points(settings.points, reporter);
-  const auto [holding, defect, hash] = judge(settings, points, reporter);
-  if (!defect) {
-    print(
-        fmt::format("Delaunay: {} over {}\n", holding, counted(points.size(), "point")));
-    if (!hash.empty()) print(fmt::format("hash: {}\n", hash));
+/// Data rows, then vertices of the constraints, as rows of the triangulation; a sentence
+/// at the first that has no position.
+Defect renumber(const Points& points, std::vector<io::Triangle>& triangles) {
+  const KeptRows kept(points.table);
+  const std::int64_t num_rows = points.table.num_rows;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::int32_t& corner : triangles[i]) {
+      if (corner >= num_rows) {
+        corner = static_cast<std::int32_t>(corner - num_rows + points.size());
+      } else if (const auto row = kept.replace(std::span(&corner, 1))) {
+        return fmt::format("triangle {} uses row {}, which has no position", i, *row);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+template <class Triangulation>
+Verdict judge_list(const Points& points, const Triangulation& t,
+                   std::vector<io::Triangle> triangles) {
+  Verdict verdict{
+      fmt::format("{} with {}", counted(std::ssize(triangles), "triangle"),
+                  counted(std::ssize(t.constraint_edges()), "constrained edge")),
+      renumber(points, triangles)};
+  verdict.kind = "constrained Delaunay";
+  if (!verdict.defect) verdict.defect = find_defect(t, triangles);
+  if (verdict.defect) return verdict;
+  std::vector<typename std::decay_t<decltype(t.points())>::value_type> positions;
+  for (std::int32_t row = 0; row < t.num_rows(); ++row) positions.push_back(t.point(row));
+  verdict.hash = hash_of(positions, triangles);
+  return verdict;
+}
+
+/// The triangles against the constrained triangulation of the points and segments.
+Verdict judge_constrained(const Settings& settings, const ConstrainedInput& input,
+                          Reporter& reporter) {
+  const Constrained built = build_constrained(input, settings.constraints, reporter);
+  return std::visit(
+      [&](const auto& t) {
+        const std::int64_t num_rows =
+            input.points.table.num_rows + t.num_rows() - input.points.size();
+        auto file = reporter.timed(Phase::read, [&] {
+          return io::read_triangles(settings.triangles, num_rows);
+        });
+        return reporter.timed(Phase::evaluate, [&] {
+          return judge_list(input.points, t, std::move(file.triangles));
+        });
+      },
+      built);
+}
+
+ExitCode report(const Settings& settings, const Points& points, const Verdict& verdict) {
+  if (!verdict.defect) {
+    print(fmt::format("{}: {} over {}\n", verdict.kind, verdict.holding,
+                      counted(points.size(), "point")));
+    if (!verdict.hash.empty()) print(fmt::format("hash: {}\n", verdict.hash));
     return ExitCode::done;
   }
-  print(fmt::format("not Delaunay: {}\n", *defect));
-  report_failure(fmt::format("{} is not a Delaunay triangulation of {}: {}",
-                             display_name(settings.triangles), display_name(points.path),
-                             *defect));
+  print(fmt::format("not {}: {}\n", verdict.kind, *verdict.defect));
+  report_failure(fmt::format("{} is not a {} triangulation of {}: {}",
+                             display_name(settings.triangles), verdict.kind,
+                             display_name(points.path), *verdict.defect));
   return ExitCode::check_failed;
+}
+
+ExitCode run(const Settings& settings, Reporter& reporter) {
+  check_inputs(settings.points.path, settings.triangles);
+  if (has_segments(settings.points.path, settings.constraints)) {
+    check_inputs(settings.constraints.path, settings.triangles);
+    const ConstrainedInput input =
+        read_constrained(settings.points, settings.constraints.path, reporter);
+    return report(settings, input.points, judge_constrained(settings, input, reporter));
+  }
+  const Points points = read_points(settings.points, reporter);
+  const Verdict verdict = judge(settings, points, reporter);
+  if (verdict.defect)
+    reporter.say(
+        "without segments; a mesh of a domain is checked with its .poly file or "
+        "--constraints");
+  return report(settings, points, verdict);
 }
 
 }  // namespace
@@ -172,14 +250,24 @@ Command add_check_command(CLI::App& program) {
   app.add_option(
          "TRIANGLES", settings->triangles,
          "A .tri, .ele, .adj, .renka, .off, .ply, .vtu or UGRID .nc file, or what "
-         "Qhull's options i and Fv print")
+         "Qhull's options i and Fv print, or in a file .o what its option o prints")
       ->required()
       ->type_name("");
+  app.get_option("POINTS")->description(
+      "Table of points: CSV, TSV, blanks or .node; - reads standard input; or a .poly "
+      "file with points and segments");
+  add_domain_options(app, settings->constraints);
   app.footer(
       "Exact: no tolerance. Ties (four points on a circle) may be broken either way. "
       "Exit status 0 if\n"
-      "it is Delaunay, 1 if not, with the reason.\n\n"
-      "Example:\n  delone check stations.csv stations.tri");
+      "it is Delaunay, 1 if not, with the reason. With segments: is it the constrained "
+      "Delaunay\n"
+      "triangulation of the domain that they enclose, or with --keep-outside of the "
+      "hull? Vertices of\n"
+      "the constraints are numbered after the data rows, as `delone triangulate` "
+      "does.\n\n"
+      "Example:\n  delone check stations.csv stations.tri\n"
+      "  delone check lake.poly lake.ele");
   return {&app, [settings](Reporter& reporter) { return run(*settings, reporter); }};
 }
 

@@ -6,7 +6,6 @@
 
 #include "cli/output.hpp"
 #include "cli/triangle_output.hpp"
-#include "io/poly_file.hpp"
 #include "stripack/constrained_triangulation.hpp"
 #include "tripack/constrained_triangulation.hpp"
 #include "tripack/refine.hpp"
@@ -15,64 +14,6 @@ namespace delone::cli {
 namespace {
 
 using delaunay::Node;
-
-/// The columns of a table for positions that stand in a .poly file.
-void fill_table(io::PointTable& table, const io::NodeFile& nodes) {
-  table.x = nodes.x;
-  table.y = nodes.y;
-  table.num_rows = static_cast<std::int64_t>(nodes.x.size());
-  table.x_name = "x";
-  table.y_name = "y";
-}
-
-ConstrainedInput read_poly_alone(const PointSettings& settings, Reporter& reporter) {
-  io::PolyFile file =
-      reporter.timed(Phase::read, [&] { return io::read_poly(settings.path); });
-  ConstrainedInput input;
-  input.points.path = file.node_path.empty() ? settings.path : file.node_path;
-  input.points.domain = settings.domain.value_or(Domain::plane);
-  input.points.duplicates = settings.duplicates;
-  fill_table(input.points.table, file.nodes);
-  input.graph = std::move(file.graph);
-  input.path = settings.path;
-  input.segment_lines = std::move(file.segment_lines);
-  input.file_base = file.nodes.base;
-  return input;
-}
-
-/// Adds points to those of the table and segments between them.
-void add_poly(ConstrainedInput& input, const std::string& path) {
-  io::PolyFile file = io::read_poly(path);
-  const auto first = static_cast<Node>(input.graph.points.size());
-  input.graph.points.insert(input.graph.points.end(), file.graph.points.begin(),
-                            file.graph.points.end());
-  for (const auto& [from, to] : file.graph.segments)
-    input.graph.segments.push_back({from + first, to + first});
-  input.graph.holes = std::move(file.graph.holes);
-  input.graph.regions = std::move(file.graph.regions);
-  input.segment_lines = std::move(file.segment_lines);
-}
-
-/// Consecutive rows with one ring number are a ring; whether the last repeats the first
-/// does not matter.
-void add_rings(ConstrainedInput& input, const std::string& path) {
-  const io::PointTable table = io::read_table(path, {.x = "2", .y = "3", .value = "1"});
-  input.are_rings = true;
-  const std::size_t first = input.graph.points.size();
-  for (std::size_t begin = 0, i = 0; i < table.x.size(); ++i) {
-    input.graph.points.push_back({table.x[i], table.y[i]});
-    const bool is_last = i + 1 == table.x.size() || table.value[i + 1] != table.value[i];
-    const std::size_t next = is_last ? begin : i + 1;
-    const bool is_closed = is_last && i > begin && table.x[i] == table.x[begin] &&
-                           table.y[i] == table.y[begin];
-    if (!is_closed) {
-      input.graph.segments.push_back(
-          {static_cast<Node>(first + i), static_cast<Node>(first + next)});
-      input.segment_lines.push_back(table.line_of(i));
-    }
-    if (is_last) begin = i + 1;
-  }
-}
 
 /// The output's number of a row of the triangulation.
 class Numbering {
@@ -87,18 +28,17 @@ class Numbering {
   const Points& points_;
 };
 
-std::string described(const delaunay::SegmentReport& report, std::int64_t num_added) {
+std::string described(const ConstrainedInput& input,
+                      const delaunay::SegmentReport& report, std::int64_t num_added) {
   std::string text;
-  const auto add = [&](std::size_t count, std::string_view noun, std::string_view rest) {
-    if (count > 0)
-      text +=
-          fmt::format("; {} {}", counted(static_cast<std::int64_t>(count), noun), rest);
+  const auto add = [&](std::int64_t count, std::string_view noun, std::string_view rest) {
+    if (count > 0) text += fmt::format("; {} {}", counted(count, noun), rest);
   };
-  add(report.on_segment.size(), "point", "on segments divide them");
-  add(report.repeated.size(), "segment", "repeated");
-  add(report.overlapping.size(), "pair", "of segments overlapping");
-  add(report.zero_length.size(), "segment", "of length zero left out");
-  add(report.crossing.size(), "crossing",
+  add(std::ssize(report.on_segment), "point", "on segments divide them");
+  add(std::ssize(report.repeated) - input.num_doubled, "segment", "repeated");
+  add(std::ssize(report.overlapping), "pair", "of segments overlapping");
+  add(std::ssize(report.zero_length), "segment", "of length zero left out");
+  add(std::ssize(report.crossing), "crossing",
       fmt::format("split ({})", counted(num_added, "added point")));
   return text;
 }
@@ -109,14 +49,10 @@ Error located(const ConstrainedInput& input, const Error& error) {
   const std::string file = display_name(input.path);
   if (rows.size() != 2)
     return Error(fmt::format("{}: {}", file, error.what()), {rows.begin(), rows.end()});
-  const auto line = [&](std::int64_t segment) {
-    return input.segment_lines[static_cast<std::size_t>(segment)];
-  };
-  return Error(
-      fmt::format("{}: the segments of lines {} and {} cross; divide them where they "
-                  "meet, or use --split-intersections",
-                  file, line(rows[0]), line(rows[1])),
-      {rows.begin(), rows.end()});
+  return Error(fmt::format("{}: the segments {} cross; divide them where they meet, or "
+                           "use --split-intersections",
+                           file, names_of_segments(input, rows[0], rows[1])),
+               {rows.begin(), rows.end()});
 }
 
 /// Does `work`; an Error of the library comes out naming the file and its lines.
@@ -192,24 +128,68 @@ stripack::Direction direction(tripack::Point2 p) {
   return stripack::Direction::from(stripack::LonLat{p.x, p.y});
 }
 
-stripack::ConstrainedTriangulation build_globe(const ConstrainedInput& input,
-                                               const ConstraintSettings& settings,
-                                               Reporter& reporter) {
+stripack::SphereConstraintOptions globe_options(const ConstrainedInput& input,
+                                                const ConstraintSettings& settings) {
   stripack::SphereConstraintOptions options{.domain = domain_of(input, settings),
                                             .crossings = crossings_of(settings)};
-  if (!settings.outside.empty()) {
-    const auto numbers = parse_numbers("--outside", settings.outside, 2, 2);
-    options.outside = direction({numbers[0], numbers[1]});
-  }
+  if (settings.outside.empty()) return options;
+  const auto numbers = parse_numbers("--outside", settings.outside, 2, 2);
+  if (!(numbers[1] >= -90 && numbers[1] <= 90))
+    throw UsageError(
+        fmt::format("--outside '{}': the latitude is outside -90..90", settings.outside));
+  options.outside = direction({numbers[0], numbers[1]});
+  return options;
+}
+
+stripack::SphereGraph globe_graph(const ConstrainedInput& input) {
+  stripack::SphereGraph graph;
+  graph.points = directions(input.points);  // names file and line of a bad latitude
+  graph.arcs = input.graph.segments;
   return blaming(input, [&] {
-    stripack::SphereGraph graph;
-    for (const auto& p : input.graph.points) graph.points.push_back(direction(p));
-    graph.arcs = input.graph.segments;
+    const auto& points = input.graph.points;
+    for (std::size_t i = graph.points.size(); i < points.size(); ++i)
+      graph.points.push_back(direction(points[i]));
     for (const auto& p : input.graph.holes) graph.holes.push_back(direction(p));
     for (const auto& seed : input.graph.regions)
       graph.regions.push_back({direction(seed.point), seed.attribute});
-    return stripack::ConstrainedTriangulation(graph, options,
-                                              reporter.run_options("triangulating"));
+    return std::move(graph);
+  });
+}
+
+/// Does the sense of the first ring of a table say where the inside is?
+bool follows_sense(const ConstrainedInput& input, const ConstraintSettings& settings) {
+  return input.is_sense_open && settings.outside.empty() && !settings.keeps_outside;
+}
+
+/// An Error that the choice of the inside may have caused, with the mend for it.
+Error with_outside_hint(const Error& error) {
+  return Error(fmt::format(
+      "{} (inside is what lies left of the first ring, so a clockwise ring means all the "
+      "rest of the globe: turn it round, or give a point outside of all rings with "
+      "--outside LON/LAT)",
+      error.what()));
+}
+
+stripack::ConstrainedTriangulation build_globe(const ConstrainedInput& input,
+                                               const ConstraintSettings& settings,
+                                               Reporter& reporter) {
+  const auto options = globe_options(input, settings);
+  const auto graph = globe_graph(input);
+  const bool is_open = follows_sense(input, settings);
+  if (is_open)
+    reporter.say(
+        "inside is what lies left of the first ring; if that is the wrong side, name a "
+        "point outside of all rings with --outside LON/LAT");
+  return blaming(input, [&] {
+    try {
+      return stripack::ConstrainedTriangulation(graph, options,
+                                                reporter.run_options("triangulating"));
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      if (!is_open || !error.rows().empty()) throw;
+      throw with_outside_hint(error);
+    }
   });
 }
 
@@ -220,13 +200,33 @@ tripack::Point2 coordinates(const stripack::Direction& d) {
 }
 
 template <class Triangulation>
-ConstrainedOutput output_of(const ConstrainedInput& input, const Triangulation& t,
-                            std::int64_t num_refined, const Reporter& reporter) {
-  const std::int64_t num_added = t.num_rows() - t.num_input_rows();
-  reporter.say("{}, {} in {}{}", counted(t.num_segments(), "segment"),
+void say_domain(const ConstrainedInput& input, const Triangulation& t,
+                std::int64_t num_crossings, const Reporter& reporter) {
+  reporter.say("{}, {} in {}{}", counted(t.num_segments() - input.num_doubled, "segment"),
                counted(t.num_triangles(), "triangle"),
                counted(std::ssize(t.regions()), "region"),
-               described(t.report(), num_added - num_refined));
+               described(input, t.report(), num_crossings));
+}
+
+/// Segments were given for a domain; nobody wants none.
+template <class Triangulation>
+void require_domain(const ConstrainedInput& input, const Triangulation& t) {
+  if (t.num_triangles() > 0 || t.mesh().num_faces() == 0) return;
+  throw Error(fmt::format(
+      "{}: its {} no domain, so no triangle is left; close the rings, or keep the whole "
+      "hull with --keep-outside",
+      display_name(input.path),
+      t.num_segments() - input.num_doubled == 1
+          ? "1 segment encloses"
+          : fmt::format("{} segments enclose", t.num_segments() - input.num_doubled)));
+}
+
+template <class Triangulation>
+ConstrainedOutput output_of(const ConstrainedInput& input, const Triangulation& t,
+                            std::int64_t num_refined, const Reporter& reporter) {
+  require_domain(input, t);
+  const std::int64_t num_added = t.num_rows() - t.num_input_rows();
+  say_domain(input, t, num_added - num_refined, reporter);
   ConstrainedOutput output;
   output.num_added = num_added;
   if (input.points.size() > 0) output.nodes = output_nodes(input.points);
@@ -242,15 +242,17 @@ ConstrainedOutput output_of(const ConstrainedInput& input, const Triangulation& 
   for (io::Triangle& triangle : output.triangles) {
     for (std::int32_t& corner : triangle) corner = number(corner);
   }
+  for (const auto& [from, to] : t.constraint_edges())
+    output.pieces.push_back({number(from), number(to)});
   return output;
 }
 
 }  // namespace
 
-void add_constraint_options(CLI::App& app, ConstraintSettings& settings) {
+void add_domain_options(CLI::App& app, ConstraintSettings& settings) {
   app.add_option("--constraints", settings.path,
-                 "Segments to keep and the domain that they enclose: a .poly file, or a "
-                 "table of rings (ring number, x, y)")
+                 "Segments to keep and the domain that they enclose: a .poly file, "
+                 "GeoJSON (lines and polygons), or a table of rings (ring number, x, y)")
       ->type_name("FILE");
   app.add_flag("--keep-outside", settings.keeps_outside,
                "With segments: triangulate the whole hull, holes too");
@@ -261,6 +263,9 @@ void add_constraint_options(CLI::App& app, ConstraintSettings& settings) {
   app.add_flag("--split-intersections", settings.splits,
                "Segments that cross both go through an added vertex; else they are an "
                "error");
+}
+
+void add_refinement_options(CLI::App& app, ConstraintSettings& settings) {
   app.add_option("--min-angle", settings.min_angle_deg,
                  "Plane, with segments: add points until no angle is smaller, as far as "
                  "those of the segments allow (default with --max-area: 20.7; up to "
@@ -274,33 +279,22 @@ void add_constraint_options(CLI::App& app, ConstraintSettings& settings) {
       ->type_name("A");
 }
 
-bool is_poly(const std::string& path) { return path.ends_with(".poly"); }
+bool has_segments(const std::string& points, const ConstraintSettings& settings) {
+  if (is_poly(points) || !settings.path.empty()) return true;
+  if (settings.needs_segments())
+    throw UsageError(
+        "--keep-outside, --split-intersections, --outside, --min-angle and --max-area "
+        "need segments: a .poly file or --constraints FILE");
+  return false;
+}
 
-ConstrainedInput read_constrained(const PointSettings& points,
-                                  const ConstraintSettings& settings,
-                                  Reporter& reporter) {
-  if (is_poly(points.path)) {
-    if (!settings.path.empty())
-      throw UsageError(
-          "a .poly file carries its own segments; give points of another kind with "
-          "--constraints");
-    return read_poly_alone(points, reporter);
-  }
-  if (settings.path.ends_with(".geojson") || settings.path.ends_with(".json"))
-    throw Error(settings.path +
-                ": GeoJSON is not read here; give a .poly file, or a table of rings with "
-                "the columns ring number, x, y");
-  check_inputs(points.path, settings.path);
-  ConstrainedInput input;
-  input.points = read_points(points, reporter);
-  input.graph.points = plane_points(input.points);
-  input.path = settings.path;
-  reporter.timed(Phase::read, [&] {
-    is_poly(settings.path) ? add_poly(input, settings.path)
-                           : add_rings(input, settings.path);
+Constrained build_constrained(const ConstrainedInput& input,
+                              const ConstraintSettings& settings, Reporter& reporter) {
+  check_domain(input, settings);
+  return reporter.timed(Phase::build, [&]() -> Constrained {
+    if (!input.points.is_on_plane()) return build_globe(input, settings, reporter);
+    return build_plane(input, settings, reporter).triangulation;
   });
-  if (input.points.table.is_node_file) input.file_base = input.points.table.base;
-  return input;
 }
 
 ConstrainedOutput triangulate(const ConstrainedInput& input,

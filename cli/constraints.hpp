@@ -1,14 +1,18 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "cli/constrained_input.hpp"
 #include "cli/options.hpp"
 #include "cli/points.hpp"
 #include "io/mesh.hpp"
-#include "tripack/planar_graph.hpp"
+#include "stripack/constrained_triangulation.hpp"
+#include "tripack/constrained_triangulation.hpp"
 
 namespace delone::cli {
 
@@ -29,40 +33,38 @@ struct ConstraintSettings {
   [[nodiscard]] bool refines() const noexcept { return min_angle_deg || max_area; }
 };
 
-void add_constraint_options(CLI::App& app, ConstraintSettings& settings);
+/// --constraints, --keep-outside, --outside, --split-intersections.
+void add_domain_options(CLI::App& app, ConstraintSettings& settings);
+/// --min-angle, --max-area.
+void add_refinement_options(CLI::App& app, ConstraintSettings& settings);
 
-/// Does the path end in .poly?
-[[nodiscard]] bool is_poly(const std::string& path);
+/// Are there segments: in the file of points, or of their own? Throws UsageError if there
+/// are none for options that need them.
+[[nodiscard]] bool has_segments(const std::string& points,
+                                const ConstraintSettings& settings);
 
-/// Points and segments, and where they stand in files. Points are the kept rows of the
-/// table first, then those of the file of constraints.
-struct ConstrainedInput {
-  Points points;
-  tripack::PlanarGraph graph;
-  std::string path;  ///< of the segments
-  std::vector<std::int64_t> segment_lines;
-  bool are_rings = false;        ///< inside is what an odd number of rings enclose
-  std::optional<int> file_base;  ///< the number of the first node in the file
-};
+/// A point set with segments in it, on the plane or the globe.
+using Constrained =
+    std::variant<tripack::ConstrainedTriangulation, stripack::ConstrainedTriangulation>;
 
-/// Reads a .poly file, or a table of points and the file of --constraints: a .poly, or a
-/// table of rings with the columns ring number, x, y. Throws UsageError and
-/// io::ReadError.
-[[nodiscard]] ConstrainedInput read_constrained(const PointSettings& points,
-                                                const ConstraintSettings& settings,
-                                                Reporter& reporter);
+/// The triangulation of the input as it is, nothing refined. Throws Error naming the file
+/// and its lines (also for a domain that holds nothing), and UsageError for options of
+/// the plane on the globe and the other way round.
+[[nodiscard]] Constrained build_constrained(const ConstrainedInput& input,
+                                            const ConstraintSettings& settings,
+                                            Reporter& reporter);
 
 /// A triangulated domain in the numbers of the output: data rows, then the vertices of
 /// the constraints, then added ones.
 struct ConstrainedOutput {
   io::Mesh nodes;
   std::vector<io::Triangle> triangles;
+  std::vector<std::array<std::int32_t, 2>> pieces;  ///< of the segments
   std::int64_t num_added = 0;  ///< the last nodes, which no file holds
 };
 
 /// Triangulates, refines if asked to, and says what was not clean or could not be had.
-/// Throws Error naming the file and its lines, and UsageError for options of the plane on
-/// the globe and the other way round.
+/// Throws as build_constrained does.
 [[nodiscard]] ConstrainedOutput triangulate(const ConstrainedInput& input,
                                             const ConstraintSettings& settings,
                                             Reporter& reporter);

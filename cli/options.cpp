@@ -21,6 +21,12 @@ std::string count_of_numbers(std::size_t least, std::size_t most) {
   return least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
 }
 
+void add_format_option(CLI::App& app, OutputSettings& settings) {
+  app.add_option("--format", settings.format,
+                 "Format, where the extension does not say it")
+      ->type_name("WORD");
+}
+
 }  // namespace
 
 void add_run_options(CLI::App& app, RunSettings& settings) {
@@ -32,20 +38,12 @@ void add_run_options(CLI::App& app, RunSettings& settings) {
                "Last line on standard error: seconds of each phase as JSON");
 }
 
-void add_point_options(CLI::App& app, PointSettings& settings, Values values) {
-  app.add_option("POINTS", settings.path,
-                 "Table of points: CSV, TSV or blanks; - reads standard input")
-      ->required()
-      ->type_name("");
+void add_table_options(CLI::App& app, PointSettings& settings) {
   app.add_option("--x,--lon", settings.columns.x,
                  "Column of x or longitude: name or number from 1")
       ->type_name("COLUMN");
   app.add_option("--y,--lat", settings.columns.y, "Column of y or latitude")
       ->type_name("COLUMN");
-  if (values != Values::ignored) {
-    app.add_option("--value", settings.columns.value, "Column of the values")
-        ->type_name("COLUMN");
-  }
   add_choice<Domain>(
       app, "--on", settings.domain, domain_choices(),
       "plane, sphere or ellipsoid (WGS84); default: sphere if the columns are called "
@@ -60,6 +58,18 @@ void add_point_options(CLI::App& app, PointSettings& settings, Values values) {
                  "globe km)")
       ->type_name("D")
       ->check(refuse_negative);
+}
+
+void add_point_options(CLI::App& app, PointSettings& settings, Values values) {
+  app.add_option("POINTS", settings.path,
+                 "Table of points: CSV, TSV or blanks; - reads standard input")
+      ->required()
+      ->type_name("");
+  add_table_options(app, settings);
+  if (values != Values::ignored) {
+    app.add_option("--value", settings.columns.value, "Column of the values")
+        ->type_name("COLUMN");
+  }
   settings.columns.needs_value = values == Values::needed;
 }
 
@@ -68,9 +78,16 @@ void add_output_options(CLI::App& app, OutputSettings& settings,
   app.add_option("-o,--output", settings.path, "File to write: " + formats)
       ->required()
       ->type_name("FILE");
-  app.add_option("--format", settings.format,
-                 "Format, where the extension does not say it")
-      ->type_name("WORD");
+  add_format_option(app, settings);
+}
+
+void add_optional_output_options(CLI::App& app, OutputSettings& settings,
+                                 const std::string& formats) {
+  settings.path = "-";
+  app.add_option("-o,--output", settings.path,
+                 "File to write (default: standard output): " + formats)
+      ->type_name("FILE");
+  add_format_option(app, settings);
 }
 
 std::vector<double> parse_numbers(std::string_view option, std::string_view text,

@@ -27,12 +27,18 @@ struct Command {
 
 /// --quiet, --threads, --timings.
 void add_run_options(CLI::App& app, RunSettings& settings);
+/// --x, --y, --on, --skip-bad-rows, --duplicates, --merge-within: how a table of points
+/// is read.
+void add_table_options(CLI::App& app, PointSettings& settings);
 /// The positional POINTS and --x, --y, --value, --on, --skip-bad-rows, --duplicates,
 /// --merge-within.
 void add_point_options(CLI::App& app, PointSettings& settings, Values values);
 /// -o and --format, with `formats` named in the help.
 void add_output_options(CLI::App& app, OutputSettings& settings,
                         const std::string& formats);
+/// The same where standard output is the default.
+void add_optional_output_options(CLI::App& app, OutputSettings& settings,
+                                 const std::string& formats);
 
 /// The numbers of "1/2/3"; throws UsageError unless there are between `least` and `most`.
 [[nodiscard]] std::vector<double> parse_numbers(std::string_view option,

@@ -22,9 +22,32 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-std::string extension_of(const std::string& path) {
-  const std::string extension = fs::path(path).extension().string();
-  return extension.empty() ? extension : in_lower_case(extension.substr(1));
+/// The longest of `formats` that the name of the file ends with, since some have a dot
+/// of their own ("v.node"); empty if none.
+std::string extension_of(const std::string& path,
+                         std::initializer_list<std::string_view> formats) {
+  const std::string name = in_lower_case(fs::path(path).filename().string());
+  std::string_view found;
+  for (const std::string_view format : formats) {
+    if (format.size() > found.size() && name.ends_with(fmt::format(".{}", format)))
+      found = format;
+  }
+  return std::string(found);
+}
+
+[[noreturn]] void refuse_format(const OutputSettings& output, const std::string& words) {
+  if (!output.format.empty())
+    throw UsageError(
+        fmt::format("--format takes one of {}, not '{}'", words, output.format));
+  if (is_standard_output(output))
+    throw UsageError(
+        fmt::format("-o {}: standard output has no extension that says the format; add "
+                    "--format with one of {}",
+                    output.path, words));
+  throw UsageError(
+      fmt::format("{}: its extension names no format written here; use one of {}, or say "
+                  "--format",
+                  output.path, words));
 }
 
 bool is_plain_or_absent(const std::string& path) {
@@ -43,21 +66,20 @@ bool is_same_plain_file(const std::string& a, std::string_view b) {
 
 std::string choose_format(const OutputSettings& output,
                           std::initializer_list<std::string_view> formats) {
-  const bool is_said = !output.format.empty();
-  std::string format = is_said ? in_lower_case(output.format) : extension_of(output.path);
+  std::string format = output.format.empty() ? extension_of(output.path, formats)
+                                             : in_lower_case(output.format);
   if (std::ranges::find(formats, format) != formats.end()) return format;
-  const std::string words = fmt::format("{}", fmt::join(formats, ", "));
-  if (is_said)
-    throw UsageError(
-        fmt::format("--format takes one of {}, not '{}'", words, output.format));
-  throw UsageError(
-      fmt::format("{}: its extension names no format written here; use one of {}, or say "
-                  "--format",
-                  output.path, words));
+  if (output.format.empty() && is_standard_output(output) && formats.size() == 1)
+    return std::string(*formats.begin());
+  refuse_format(output, fmt::format("{}", fmt::join(formats, ", ")));
 }
 
 std::string choose_map_format(const OutputSettings& output) {
   return choose_format(output, {"png", "svg", "pdf", "eps"});
+}
+
+bool is_standard_output(const OutputSettings& output) {
+  return output.path == "-" || output.path == "/dev/stdout";
 }
 
 void check_inputs(const std::string& first, const std::string& second) {

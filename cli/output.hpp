@@ -9,12 +9,16 @@
 namespace delone::cli {
 
 /// The format an output is written in: --format, or else the extension of the file, in
-/// lower case. Throws UsageError naming `formats` if it is none of them.
+/// lower case; standard output has the only format there is, if there is one only.
+/// Throws UsageError naming `formats` if it is none of them.
 [[nodiscard]] std::string choose_format(const OutputSettings& output,
                                         std::initializer_list<std::string_view> formats);
 
 /// The same among the formats of pictures.
 [[nodiscard]] std::string choose_map_format(const OutputSettings& output);
+
+/// Is it "-" or /dev/stdout?
+[[nodiscard]] bool is_standard_output(const OutputSettings& output);
 
 /// Throws UsageError if both are standard input.
 void check_inputs(const std::string& first, const std::string& second);

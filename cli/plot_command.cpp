@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/constraints.hpp"
 #include "cli/output.hpp"
 #include "cli/picture_options.hpp"
 #include "cli/points.hpp"
@@ -23,7 +24,10 @@ struct Settings {
   std::string variable, points, triangles;
   OutputSettings output;
   PictureSettings picture;
+  bool keeps_outside = false;
 };
+
+constexpr io::Color segment_color{190, 40, 40};
 
 /// The positions that --points asks for; none without it.
 io::PointTable observations(const Settings& settings, Reporter& reporter) {
@@ -98,12 +102,49 @@ void plot_points(const Settings& settings, const std::string& format,
   usual.triangles = !settings.triangles.empty();
   io::ShownParts parts = shown_parts(settings.picture, usual);
   const Points points = read_points(settings.file, reporter);
+  // Repeats are found by triangulating.
+  if (points.duplicates == interp::Duplicates::error && !needs_triangles(parts))
+    static_cast<void>(triangulate(points, reporter));
   parts.base = points.table.base;
   io::Mesh mesh = output_nodes(points);
   if (needs_triangles(parts))
     for (const io::Triangle& triangle : triangles_of(settings, points, reporter))
       mesh.add_cell(triangle);
   draw(settings, mesh, parts, format, reporter);
+}
+
+/// The segments as they stand in the file.
+io::PictureLayer segment_layer(const tripack::PlanarGraph& graph) {
+  io::PictureLayer layer{segment_color, 2, {}};
+  for (const auto& segment : graph.segments) {
+    io::PictureLine& line = layer.lines.emplace_back();
+    for (const auto end : segment) {
+      const tripack::Point2 p = graph.points[static_cast<std::size_t>(end)];
+      line.push_back({p.x, p.y});
+    }
+  }
+  if (layer.lines.size() > 5000) layer.width = 1;
+  return layer;
+}
+
+/// Segments, and the triangles of the domain that they enclose.
+void plot_poly(const Settings& settings, const std::string& format, Reporter& reporter) {
+  ConstraintSettings constraints;
+  constraints.keeps_outside = settings.keeps_outside;
+  const ConstrainedInput input = read_constrained(settings.file, "", reporter);
+  io::ShownParts parts = shown_parts(settings.picture, {});
+  parts.base = input.file_base.value_or(0);
+  io::Mesh mesh = needs_triangles(parts) ? io::Mesh() : output_nodes(input.points);
+  if (needs_triangles(parts)) {
+    ConstrainedOutput domain = triangulate(input, constraints, reporter);
+    mesh = std::move(domain.nodes);
+    for (const io::Triangle& triangle : domain.triangles) mesh.add_cell(triangle);
+  }
+  io::Picture picture = io::make_picture(mesh, parts);
+  picture.layers.push_back(segment_layer(input.graph));
+  reporter.timed(Phase::write, [&] {
+    draw_picture(settings.output.path, picture, settings.picture, format);
+  });
 }
 
 /// An .ele file is drawn over the .node file of the same name.
@@ -124,6 +165,8 @@ ExitCode run(const Settings& given, Reporter& reporter) {
   const bool is_grid = kind == "nc" && !io::holds_ugrid(path);
   if (is_grid)
     plot_grid(settings, format, reporter);
+  else if (is_poly(path))
+    plot_poly(settings, format, reporter);
   else if (io::is_mesh_format(kind))
     plot_mesh(settings, format, reporter);
   else
@@ -140,7 +183,7 @@ Command add_plot_command(CLI::App& program) {
   const auto settings = std::make_shared<Settings>();
   app.add_option("FILE", settings->file.path,
                  "A NetCDF grid; a mesh (.off, .ply, .vtu, UGRID .nc, or .ele beside its "
-                 ".node); or a table of points")
+                 ".node); a .poly file; or a table of points")
       ->required()
       ->type_name("");
   app.add_option("--variable", settings->variable,
@@ -152,19 +195,15 @@ Command add_plot_command(CLI::App& program) {
   app.add_option("--triangles", settings->triangles,
                  "Points: their triangles, if they are to be others than Delaunay's")
       ->type_name("FILE");
-  app.add_option("--x,--lon", settings->file.columns.x,
-                 "Points: column of x or longitude")
-      ->type_name("COLUMN");
-  app.add_option("--y,--lat", settings->file.columns.y, "Points: column of y or latitude")
-      ->type_name("COLUMN");
-  add_choice<Domain>(app, "--on", settings->file.domain, domain_choices(),
-                     "Points: plane, sphere or ellipsoid (default: by the names of the "
-                     "columns)");
+  add_table_options(app, settings->file);
+  app.add_flag("--keep-outside", settings->keeps_outside,
+               ".poly: the triangles of the whole hull, holes too");
   settings->file.columns.needs_value = false;
   add_picture_options(app, settings->picture);
   app.footer(
       "Example:\n  delone plot geoid.nc -o geoid.svg --title \"Height of the geoid\"\n"
-      "  delone plot stations.csv -o stations.pdf --show points,voronoi --view 10/50");
+      "  delone plot stations.csv -o stations.pdf --show points,voronoi --view 10/50\n"
+      "  delone plot lake.poly -o lake.png");
   return {&app, [settings](Reporter& reporter) { return run(*settings, reporter); }};
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "cli/output.hpp"
+#include "io/output_file.hpp"
 #include "stripack/merge_near.hpp"
 #include "tripack/merge_near.hpp"
 
@@ -19,7 +20,8 @@ void say_columns(const Points& points, const Reporter& reporter) {
   std::string dropped;
   if (table.num_missing > 0)
     dropped += fmt::format(", {} with missing values dropped", table.num_missing);
-  if (table.num_bad > 0) dropped += fmt::format(", {} bad rows skipped", table.num_bad);
+  if (table.num_bad > 0)
+    dropped += fmt::format(", {} skipped", counted(table.num_bad, "bad row"));
   reporter.say("{}: {}, on the {}; {}{}", display_name(points.path), columns,
                name_of(points.domain), counted(points.size(), "point"), dropped);
 }
@@ -103,8 +105,13 @@ Points read_points(const PointSettings& settings, Reporter& reporter) {
   if (settings.path.ends_with(".poly"))
     throw Error(
         settings.path +
-        ": segments are for `delone triangulate`; give a .node file or a table of "
-        "points here");
+        ": segments are for `delone triangulate`, `check` and `plot`; give a .node file "
+        "or a table of points here");
+  const std::string format = io::file_format(settings.path);
+  if (format == "geojson" || format == "json")
+    throw Error(settings.path +
+                ": GeoJSON is for --constraints of `delone triangulate` and `delone "
+                "check`; give a table of points here");
   Points points{settings.path, {}, Domain::plane, settings.duplicates};
   points.table = reporter.timed(
       Phase::read, [&] { return io::read_table(settings.path, settings.columns); });

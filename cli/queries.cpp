@@ -29,6 +29,33 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// Are columns called x and y, so that nothing but their use says what they are?
+bool are_plain(const io::PointTable& table) {
+  return !table.header.empty() && !table.is_lonlat;
+}
+
+std::string columns_of(const Points& points) {
+  return fmt::format("{} has the columns '{}' and '{}'", display_name(points.path),
+                     points.table.x_name, points.table.y_name);
+}
+
+/// Distances and triangles of the plane mean nothing for longitudes and latitudes, nor
+/// the other way round. Whoever says --on knows what the numbers are.
+void check_spaces(const PointSettings& settings, const Points& points,
+                  const Points& queries, const Reporter& reporter) {
+  if (settings.domain) return;
+  if (points.is_on_plane() && queries.table.is_lonlat)
+    throw UsageError(
+        fmt::format("{}, and {}: longitudes and latitudes among points of the plane; say "
+                    "--on sphere, or --on plane if both are in one plane",
+                    columns_of(queries), columns_of(points)));
+  if (!points.is_on_plane() && are_plain(queries.table))
+    reporter.say(
+        "{}, taken as longitude and latitude like those of {}; say --on sphere "
+        "if that is right, --on plane if not",
+        columns_of(queries), display_name(points.path));
+}
+
 }  // namespace
 
 std::string csv_field(std::string_view field) {
@@ -61,6 +88,7 @@ Points read_queries(const QuerySettings& settings, const PointSettings& point_se
   query_settings.columns.keep_text = true;
   query_settings.columns.skip_bad_rows = point_settings.columns.skip_bad_rows;
   Points queries = read_points(query_settings, reporter);
+  check_spaces(point_settings, points, queries, reporter);
   reporter.count_points(points.size());
   return queries;
 }

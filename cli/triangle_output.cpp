@@ -19,7 +19,8 @@ bool is_picture(const std::string& format) {
 
 /// Files that are companions of a .node file, which keep its base.
 bool is_companion(const std::string& format) {
-  return format == "ele" || format == "neigh" || format == "edge" || format == "node";
+  return format == "ele" || format == "neigh" || format == "edge" || format == "node" ||
+         format == "poly";
 }
 
 int base_of(const TriangleOutput& settings, const std::string& format,
@@ -80,10 +81,12 @@ void write_triangles(const std::string& path, const std::string& format,
 void add_triangle_output_options(CLI::App& app, TriangleOutput& settings) {
   add_output_options(
       app, settings.output,
-      ".tri (index triples), .ele .neigh .edge .node (of Triangle), .adj (a node and its "
+      ".tri (index triples), .ele .neigh .edge .node (of Triangle), .poly (its points "
+      "and "
+      "pieces of segments), .adj (a node and its "
       "neighbours counter-clockwise), .renka (LIST, LPTR, LEND), .off, .ply, .vtu, "
-      ".geojson, .nc (UGRID), .svg, .png, .pdf, .eps; by --format also i, Fv, FN (of "
-      "Qhull), qhull and xy (the points), mathematica");
+      ".geojson, .nc (UGRID), .svg, .png, .pdf, .eps; by --format also i, o, Fv, FN "
+      "(of Qhull), qhull and xy (the points), mathematica");
   app.add_option("--base", settings.base,
                  "Number of the first data row: 0 or 1 (default: 0; in .ele, .neigh, "
                  ".edge and .node files that of the .node file read)")
@@ -99,9 +102,9 @@ void add_triangle_output_options(CLI::App& app, TriangleOutput& settings) {
 std::string choose_triangle_format(const TriangleOutput& settings) {
   const std::string format = choose_format(
       settings.output,
-      {"tri",         "ele",   "neigh", "edge", "node", "xy",  "adj", "renka",
-       "mathematica", "qhull", "i",     "fv",   "fn",   "off", "ply", "vtu",
-       "geojson",     "nc",    "svg",   "png",  "pdf",  "eps"});
+      {"tri",   "poly",        "ele",     "neigh", "edge", "node", "xy",  "adj",
+       "renka", "mathematica", "qhull",   "i",     "fv",   "fn",   "o",   "off",
+       "ply",   "vtu",         "geojson", "nc",    "svg",  "png",  "pdf", "eps"});
   if (settings.writes_neighbors && (format != "ele" || settings.output.path == "-")) {
     throw UsageError(
         "--neighbors writes a .neigh file beside an .ele file; give -o FILE.ele");

@@ -9,6 +9,7 @@
 #include "cli/output.hpp"
 #include "cli/points.hpp"
 #include "cli/triangle_output.hpp"
+#include "io/poly_file.hpp"
 
 namespace delone::cli {
 namespace {
@@ -53,6 +54,28 @@ void write_added(const Settings& settings, const std::string& format,
   reporter.say("wrote {}: {}", nodes, counted(result.num_added, "added point"));
 }
 
+/// What a .poly file can say of the input.
+void check_poly_output(const ConstrainedInput& input) {
+  if (input.are_rings)
+    throw UsageError(
+        "a .poly file names holes by points, and these rings are counted; write the "
+        "triangles (.ele)");
+}
+
+/// The domain as segments that only meet in nodes: what its triangles can be checked
+/// against.
+void write_poly(const Settings& settings, const ConstrainedInput& input,
+                const ConstrainedOutput& result) {
+  io::PolyFile file;
+  file.nodes.x = result.nodes.x;
+  file.nodes.y = result.nodes.y;
+  file.nodes.base = settings.output.base.value_or(input.file_base.value_or(0));
+  file.graph.segments = result.pieces;
+  file.graph.holes = input.graph.holes;
+  file.graph.regions = input.graph.regions;
+  io::write_poly(settings.output.output.path, file);
+}
+
 /// Triangles of the domain that segments enclose.
 void run_constrained(const Settings& settings, const std::string& format,
                      Reporter& reporter) {
@@ -61,9 +84,11 @@ void run_constrained(const Settings& settings, const std::string& format,
         "a domain with holes has no lists of neighbours; write its triangles (.ele, "
         ".tri)");
   const ConstrainedInput input =
-      read_constrained(settings.points, settings.constraints, reporter);
+      read_constrained(settings.points, settings.constraints.path, reporter);
+  if (format == "poly") check_poly_output(input);
   ConstrainedOutput result = triangulate(input, settings.constraints, reporter);
   reporter.timed(Phase::write, [&] {
+    if (format == "poly") return write_poly(settings, input, result);
     write_added(settings, format, input, result, reporter);
     write_triangulation(settings.output, format, std::move(result.nodes),
                         result.triangles, input.file_base, {});
@@ -73,16 +98,16 @@ void run_constrained(const Settings& settings, const std::string& format,
 ExitCode run(const Settings& settings, Reporter& reporter) {
   const std::string format = choose_triangle_format(settings.output);
   const std::string& path = settings.output.output.path;
-  if (is_poly(settings.points.path) || !settings.constraints.path.empty()) {
+  if (has_segments(settings.points.path, settings.constraints)) {
     check_output(path, {settings.points.path, settings.constraints.path});
     run_constrained(settings, format, reporter);
     reporter.say("wrote {}", path);
     return ExitCode::done;
   }
-  if (settings.constraints.needs_segments())
+  if (format == "poly")
     throw UsageError(
-        "--keep-outside, --split-intersections, --outside, --min-angle and --max-area "
-        "need segments: a .poly file or --constraints FILE");
+        "a .poly file holds segments; give some with --constraints, or write "
+        "the points (.node)");
   check_output(path, {settings.points.path});
   const Points points = read_points(settings.points, reporter);
   const Triangulated triangulated = triangulate(points, reporter);
@@ -102,7 +127,8 @@ Command add_triangulate_command(CLI::App& program) {
       "Table of points: CSV, TSV, blanks or .node; - reads standard input; or a .poly "
       "file "
       "with points and segments");
-  add_constraint_options(app, settings->constraints);
+  add_domain_options(app, settings->constraints);
+  add_refinement_options(app, settings->constraints);
   add_triangle_output_options(app, settings->output);
   app.footer(
       "Nodes are data rows counted from --base; of rows at one position the first is "
@@ -112,7 +138,8 @@ Command add_triangulate_command(CLI::App& program) {
       "Example:\n  delone triangulate stations.csv -o stations.tri --base 1\n"
       "  delone triangulate lake.poly -o lake.ele --min-angle 25 --max-area 0.5\n"
       "  delone triangulate stations.csv -o stations.svg --show points,voronoi --labels "
-      "nodes");
+      "nodes\n"
+      "  delone triangulate lake.poly -o lake.1.poly --min-angle 25");
   return {&app, [settings](Reporter& reporter) { return run(*settings, reporter); }};
 }
 

@@ -14,6 +14,7 @@
 #include "cli/triangle_output.hpp"
 #include "io/cell_file.hpp"
 #include "io/picture.hpp"
+#include "io/voronoi_file.hpp"
 #include "stripack/voronoi.hpp"
 #include "tripack/voronoi.hpp"
 
@@ -184,15 +185,53 @@ void write(const Settings& settings, const std::string& format, const Points& po
   }
 }
 
+/// The files of Triangle hold the diagram, not its cells.
+bool is_diagram(const std::string& format) {
+  return format == "v.node" || format == "v.edge";
+}
+
+void check_diagram(const std::string& format, const Settings& settings,
+                   const Points& points) {
+  if (!is_diagram(format)) return;
+  if (!points.is_on_plane())
+    throw UsageError(fmt::format(
+        "{} files are for the plane; on the globe write .geojson or .nc", "." + format));
+  if (!settings.region.empty())
+    throw UsageError(fmt::format(
+        "--region clips cells; a .{} file holds the whole diagram, rays included",
+        format));
+}
+
+void write_diagram(const Settings& settings, const std::string& format,
+                   const Points& points, const PlaneTriangulation& t,
+                   Reporter& reporter) {
+  const auto diagram = reporter.timed(Phase::evaluate, [&] {
+    return tripack::Voronoi(t, reporter.run_options("finding vertices"));
+  });
+  const int base = points.table.is_node_file ? points.table.base : 0;
+  reporter.timed(Phase::write, [&] {
+    format == "v.node" ? io::write_v_node(settings.output.path, diagram, base)
+                       : io::write_v_edge(settings.output.path, diagram, base);
+  });
+}
+
 ExitCode run(const Settings& settings, Reporter& reporter) {
   const std::string format = choose_format(
-      settings.output, {"csv", "geojson", "nc", "svg", "png", "pdf", "eps"});
+      settings.output,
+      {"csv", "geojson", "nc", "v.node", "v.edge", "svg", "png", "pdf", "eps"});
   const std::optional<tripack::Region> region = parse_region(settings);
   check_output(settings.output.path, {settings.points.path});
   const Points points = read_points(settings.points, reporter);
   if (region && !points.is_on_plane())
     throw UsageError("--region clips cells of the plane; on the globe they are closed");
+  check_diagram(format, settings, points);
   const Triangulated triangulated = triangulate(points, reporter);
+  if (is_diagram(format)) {
+    write_diagram(settings, format, points, std::get<PlaneTriangulation>(triangulated),
+                  reporter);
+    reporter.say("wrote {}", settings.output.path);
+    return ExitCode::done;
+  }
   const Cells cells = find_cells(points, triangulated, region, reporter);
   reporter.timed(Phase::write,
                  [&] { write(settings, format, points, triangulated, cells); });
@@ -209,7 +248,8 @@ Command add_voronoi_command(CLI::App& program) {
   add_point_options(app, settings->points, Values::ignored);
   add_output_options(app, settings->output,
                      ".csv (area, centroid, corners, bounded), .geojson, .nc (UGRID), "
-                     ".svg, .png, .pdf, .eps");
+                     ".v.node and .v.edge (Triangle's vertices and edges, rays included; "
+                     "plane), .svg, .png, .pdf, .eps");
   app.add_option("--region", settings->region, "Plane: clip the cells to this box")
       ->type_name("W/E/S/N");
   add_picture_options(app, settings->picture);

@@ -112,29 +112,31 @@ void check_mesh(const Mesh& mesh) {
 }
 
 bool is_mesh_format(const std::string& format) {
-  return format == "off" || format == "ply" || format == "vtu" || format == "nc";
+  return format == "off" || format == "o" || format == "ply" || format == "vtu" ||
+         format == "nc";
 }
 
 void write_mesh(const std::string& path, const Mesh& mesh, const std::string& format) {
   check_mesh(mesh);
   const std::string name = file_format(path, format);
   if (name == "off") return write_off(path, mesh);
+  if (name == "o") return write_qhull_o(path, mesh);
   if (name == "ply") return write_ply(path, mesh);
   if (name == "vtu") return write_vtu(path, mesh);
   if (name == "geojson") return write_geojson(path, mesh);
   if (name == "nc") return write_ugrid(path, mesh);
   throw WriteError(path + ": \"" + name +
-                   "\" is no mesh format: use off, ply, vtu, geojson or nc");
+                   "\" is no mesh format: use off, o, ply, vtu, geojson or nc");
 }
 
 Mesh read_mesh(const std::string& path, const std::string& format) {
   const std::string name = file_format(path, format);
-  if (name == "off") return read_off(path);
+  if (name == "off" || name == "o") return read_off(path);
   if (name == "ply") return read_ply(path);
   if (name == "vtu") return read_vtu(path);
   if (name == "nc") return read_ugrid(path);
   throw ReadError(path + ": \"" + name +
-                  "\" is no mesh format that is read: use off, ply, vtu or nc");
+                  "\" is no mesh format that is read: use off, o, ply, vtu or nc");
 }
 
 }  // namespace delone::io

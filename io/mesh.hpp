@@ -50,7 +50,12 @@ struct Mesh {
 
 /// The files that hold nodes and cells together. Indices in them count from 0.
 ///
-/// - `off`: OFF, as Geomview and Qhull's option `o` without its dimension line write it.
+/// - `off`: OFF, as Geomview writes it.
+/// - `o`: what Qhull's option `o` prints, with a dimension in the place of the keyword.
+/// In
+///   the plane as qdelaunay does, sites lifted to x, y, x*x + y*y (Error where that
+///   overflows); on the globe as for the convex hull of unit vectors. `off` and `o` read
+///   one another.
 /// - `ply`: PLY, written as ASCII; read as ASCII and binary of either byte order.
 /// - `vtu`: VTK's unstructured grid as XML, written inline as ASCII; read inline or
 ///   appended, ASCII, base64 or raw, not compressed.
@@ -60,15 +65,15 @@ struct Mesh {
 /// - `nc`: UGRID-1.0 in NetCDF classic: topology `Mesh2`.
 ///
 /// off, ply and vtu have three coordinates: x, y, 0, or on the globe the unit vector.
-/// Reading, a z that is 0 everywhere is the plane, unit vectors (to 1e-6) are the globe,
-/// and any other z is left out.
+/// Reading, a z that is 0 everywhere (or lifted) is the plane, unit vectors (to 1e-6) are
+/// the globe, and any other z is left out.
 ///
 /// The same bytes for the same mesh. Throws WriteError as OutputFile does and for any
 /// other format, Error for corners that are no nodes or a latitude outside -90..90.
 void write_mesh(const std::string& path, const Mesh& mesh,
                 const std::string& format = "");
 
-/// Reads off, ply, vtu or nc by `format` or else by extension. Counts are held against
+/// Reads off, o, ply, vtu or nc by `format` or else by extension. Counts are held against
 /// the bytes left before memory is taken and every index is checked. Throws ReadError
 /// naming file and line (or byte, or variable).
 [[nodiscard]] Mesh read_mesh(const std::string& path, const std::string& format = "");

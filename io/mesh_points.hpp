@@ -27,6 +27,7 @@ Mesh read_vtu(const std::string& path);
 Mesh read_ugrid(const std::string& path);
 
 void write_off(const std::string& path, const Mesh& mesh);
+void write_qhull_o(const std::string& path, const Mesh& mesh);
 void write_ply(const std::string& path, const Mesh& mesh);
 void write_vtu(const std::string& path, const Mesh& mesh);
 void write_geojson(const std::string& path, const Mesh& mesh);

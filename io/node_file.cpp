@@ -86,12 +86,11 @@ NodeFile read_node(const std::string& path) {
   return nodes;
 }
 
-void write_node(const std::string& path, const NodeFile& nodes) {
+void write_node_section(TextWriter& text, const NodeFile& nodes) {
   const std::size_t count = nodes.x.size();
   require(nodes.y.size() == count);
   require(nodes.markers.empty() || nodes.markers.size() == count);
   for (const auto& attribute : nodes.attributes) require(attribute.size() == count);
-  TextWriter text(path);
   text << count << " 2 " << nodes.attributes.size() << ' '
        << (nodes.markers.empty() ? 0 : 1) << '\n';
   for (std::size_t i = 0; i < count; ++i) {
@@ -101,6 +100,11 @@ void write_node(const std::string& path, const NodeFile& nodes) {
     if (!nodes.markers.empty()) text << ' ' << nodes.markers[i];
     text << '\n';
   }
+}
+
+void write_node(const std::string& path, const NodeFile& nodes) {
+  TextWriter text(path);
+  write_node_section(text, nodes);
   text.commit();
 }
 

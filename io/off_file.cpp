@@ -1,8 +1,12 @@
 // OFF (Geomview) and Qhull's output option `o`, which has a dimension where OFF has its
 // keyword.
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <string_view>
 
+#include "delaunay/error.hpp"
 #include "io/fields.hpp"
 #include "io/file_bytes.hpp"
 #include "io/mesh_points.hpp"
@@ -26,6 +30,9 @@ std::int64_t read_dimension(TextCursor& cursor) {
   return *dimension;
 }
 
+/// Qhull lifts the sites of a Delaunay triangulation to this paraboloid.
+double lift(double x, double y) { return x * x + y * y; }
+
 SpacePoint read_point(TextCursor& cursor, std::int64_t dimension) {
   SpacePoint point{};
   for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
@@ -40,6 +47,21 @@ void read_cell(TextCursor& cursor, Mesh& mesh, std::int64_t num_nodes) {
     mesh.corners.push_back(cursor.index("a corner", num_nodes));
   mesh.offsets.push_back(std::ssize(mesh.corners));
   cursor.skip_line();
+}
+
+void write_points_and_cells(const std::string& path, std::string_view first_line,
+                            const Mesh& mesh, const std::vector<SpacePoint>& points) {
+  TextWriter text(path);
+  text << first_line << '\n'
+       << points.size() << ' ' << mesh.num_cells() << ' ' << edges_of(mesh).size()
+       << '\n';
+  for (const auto& [x, y, z] : points) text << x << ' ' << y << ' ' << z << '\n';
+  for (std::int64_t i = 0; i < mesh.num_cells(); ++i) {
+    text << mesh.cell(i).size();
+    for (const std::int32_t corner : mesh.cell(i)) text << ' ' << corner;
+    text << '\n';
+  }
+  text.commit();
 }
 
 }  // namespace
@@ -60,23 +82,29 @@ Mesh read_off(const std::string& path) {
   if (!cursor.is_at_end())
     cursor.fail("there is more than the " + std::to_string(num_nodes) + " nodes and " +
                 std::to_string(num_cells) + " cells of the header");
+  const bool is_lifted = std::ranges::all_of(
+      points, [](const SpacePoint& p) { return p[2] == lift(p[0], p[1]); });
+  // Sites on a circle of radius 0.786 are lifted to unit vectors, which they are not.
+  if (is_lifted)
+    for (SpacePoint& p : points) p[2] = 0;
   take_points(mesh, points);
   return mesh;
 }
 
 void write_off(const std::string& path, const Mesh& mesh) {
-  const std::vector<SpacePoint> points = space_points(mesh);
-  TextWriter text(path);
-  text << "OFF\n"
-       << points.size() << ' ' << mesh.num_cells() << ' ' << edges_of(mesh).size()
-       << '\n';
-  for (const auto& [x, y, z] : points) text << x << ' ' << y << ' ' << z << '\n';
-  for (std::int64_t i = 0; i < mesh.num_cells(); ++i) {
-    text << mesh.cell(i).size();
-    for (const std::int32_t corner : mesh.cell(i)) text << ' ' << corner;
-    text << '\n';
-  }
-  text.commit();
+  write_points_and_cells(path, "OFF", mesh, space_points(mesh));
+}
+
+void write_qhull_o(const std::string& path, const Mesh& mesh) {
+  std::vector<SpacePoint> points = space_points(mesh);
+  if (mesh.space == Mesh::Space::plane)
+    for (SpacePoint& p : points) p[2] = lift(p[0], p[1]);
+  if (!std::ranges::all_of(points,
+                           [](const SpacePoint& p) { return std::isfinite(p[2]); }))
+    throw Error(
+        "Qhull's o holds x*x + y*y, which is beyond double precision here; write "
+        ".off");
+  write_points_and_cells(path, "3", mesh, points);
 }
 
 }  // namespace delone::io

@@ -207,14 +207,27 @@ class PlyReader {
         body_(cursor, header_.encoding) {}
 
   Mesh read() {
-    for (const Element& element : header_.elements)
-      if (element.name == "vertex") num_nodes_ = element.count;
+    find_vertices();
     for (const Element& element : header_.elements) read_elements(element);
     take_points(mesh_, points_);
     return std::move(mesh_);
   }
 
  private:
+  /// Corners are held against the number of vertices, so there must be one such number
+  /// and that many positions.
+  void find_vertices() {
+    bool is_found = false;
+    for (const Element& element : header_.elements) {
+      if (element.name != "vertex") continue;
+      if (is_found) cursor_.fail("two elements are called vertex");
+      if (!element.find("x") || !element.find("y"))
+        cursor_.fail("the vertices have no properties x and y");
+      num_nodes_ = element.count;
+      is_found = true;
+    }
+  }
+
   void read_elements(const Element& element) {
     std::size_t least_bytes = 0;
     for (const Property& property : element.properties)
@@ -231,7 +244,6 @@ class PlyReader {
 
   void read_nodes(const Element& element) {
     const auto x = element.find("x"), y = element.find("y"), z = element.find("z");
-    if (!x || !y) cursor_.fail("the vertices have no properties x and y");
     points_.reserve(static_cast<std::size_t>(element.count));
     for (std::int64_t i = 0; i < element.count; ++i) {
       const std::vector<double> values = read_element(element, std::nullopt);

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <limits>
 
+#include "delaunay/error.hpp"
 #include "io/file_bytes.hpp"
 #include "io/node_section.hpp"
 #include "io/text_cursor.hpp"
+#include "io/text_writer.hpp"
 
 namespace delone::io {
 namespace {
@@ -104,6 +106,48 @@ void read_regions(TextCursor& cursor, PolyFile& file) {
   }
 }
 
+void check_poly(const PolyFile& file) {
+  const auto& segments = file.graph.segments;
+  if (!file.segment_markers.empty() && file.segment_markers.size() != segments.size())
+    throw Error("write_poly: give every segment a marker, or none");
+  const std::int64_t num_nodes = std::ssize(file.nodes.x);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (const Node end : segments[i])
+      if (end < 0 || end >= num_nodes)
+        throw Error("write_poly: segment " + std::to_string(i) + " ends at row " +
+                        std::to_string(end) + ", but there are " +
+                        std::to_string(num_nodes) + " points; correct its ends",
+                    {static_cast<std::int64_t>(i)});
+}
+
+void write_segments(TextWriter& text, const PolyFile& file) {
+  const auto& segments = file.graph.segments;
+  const int base = file.nodes.base;
+  text << segments.size() << ' ' << (file.segment_markers.empty() ? 0 : 1) << '\n';
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    text << i + static_cast<std::size_t>(base) << ' ' << segments[i][0] + base << ' '
+         << segments[i][1] + base;
+    if (!file.segment_markers.empty()) text << ' ' << file.segment_markers[i];
+    text << '\n';
+  }
+}
+
+void write_seeds(TextWriter& text, const PolyFile& file) {
+  std::int64_t number = file.nodes.base;
+  text << file.graph.holes.size() << '\n';
+  for (const Point2 p : file.graph.holes)
+    text << number++ << ' ' << p.x << ' ' << p.y << '\n';
+  if (file.graph.regions.empty()) return;
+  number = file.nodes.base;
+  text << file.graph.regions.size() << '\n';
+  for (const tripack::RegionSeed& region : file.graph.regions) {
+    text << number++ << ' ' << region.point.x << ' ' << region.point.y << ' '
+         << region.attribute;
+    if (region.max_area > 0) text << ' ' << region.max_area;
+    text << '\n';
+  }
+}
+
 }  // namespace
 
 PolyFile read_poly(const std::string& path) {
@@ -122,6 +166,15 @@ PolyFile read_poly(const std::string& path) {
   read_regions(cursor, file);
   if (!cursor.is_at_end()) cursor.fail("there is more than the regions of the file");
   return file;
+}
+
+void write_poly(const std::string& path, const PolyFile& file) {
+  check_poly(file);
+  TextWriter text(path);
+  write_node_section(text, file.nodes);
+  write_segments(text, file);
+  write_seeds(text, file);
+  text.commit();
 }
 
 }  // namespace delone::io

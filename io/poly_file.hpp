@@ -34,4 +34,10 @@ struct PolyFile {
 /// keep, anything after the last part.
 [[nodiscard]] PolyFile read_poly(const std::string& path);
 
+/// Writes a .poly file that read_poly gives back: the points of `nodes` with their
+/// attributes, markers and base, then segments, holes and regions. The points of `graph`
+/// are not looked at. Throws WriteError, and Error if lists have different lengths or a
+/// segment ends at no node.
+void write_poly(const std::string& path, const PolyFile& file);
+
 }  // namespace delone::io

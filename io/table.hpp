@@ -25,6 +25,11 @@ class WriteError : public Error {
 /// in `x_m`, `Lon (deg)` allowed), and the first other column of numbers; without a
 /// header the first two and the next.
 struct TableOptions {
+  /// Rings: without a header, or with one that names no coordinates, the first three
+  /// columns are the ring's number (the value), x and y; with one, the value is the first
+  /// other column.
+  enum class Content : std::uint8_t { points, rings };
+  Content content = Content::points;
   std::string x, y, value;
   /// false: a value column is read only if `value` names it.
   bool needs_value = true;

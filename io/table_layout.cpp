@@ -121,15 +121,28 @@ class ColumnFinder {
   /// x and y: as chosen, else by their names, else (no header) the first two columns.
   [[nodiscard]] std::pair<std::size_t, std::size_t> coordinates(
       const TableOptions& options) const {
+    const bool are_rings = options.content == TableOptions::Content::rings;
+    if (are_rings && layout_.num_columns < 3)
+      fail("a table of rings has three columns, ring number, x and y; " +
+           list_of_columns(layout_));
+    const std::size_t first = are_rings ? 1 : 0;
     std::optional<std::size_t> x, y;
     if (!options.x.empty()) x = chosen(options.x);
     if (!options.y.empty()) y = chosen(options.y);
-    if (!layout_.has_header) return distinct(x.value_or(0), y.value_or(1));
+    if (!layout_.has_header) return distinct(x.value_or(first), y.value_or(first + 1));
     if (x && y) return distinct(*x, *y);
     if (const auto pair = completed(x, y, longitude_names, latitude_names)) return *pair;
     if (const auto pair = completed(x, y, x_names, y_names)) return *pair;
+    if (are_rings) return distinct(x.value_or(first), y.value_or(first + 1));
     fail("no columns called lon and lat, or x and y; choose with " + options.x_option +
          " and " + options.y_option + ": " + list_of_columns(layout_));
+  }
+
+  /// The first column other than x and y, whatever it holds.
+  [[nodiscard]] std::size_t first_other() const {
+    std::size_t i = 0;
+    while (i == layout_.x || i == layout_.y) ++i;
+    return i;
   }
 
   /// The first column of numbers other than x and y.
@@ -259,6 +272,8 @@ TableLayout find_layout(const std::string& file_name, std::string_view first_lin
   if (!layout.has_header) lines.insert(lines.begin(), first_line);
   if (!options.value.empty())
     layout.value = finder.chosen(options.value);
+  else if (options.content == TableOptions::Content::rings)
+    layout.value = finder.first_other();
   else if (options.needs_value)
     layout.value = finder.first_numeric(lines);
   return layout;

@@ -23,7 +23,7 @@ EdgeFile voronoi_edges(const tripack::Voronoi& diagram, int base) {
     if (from >= 0 && to >= 0) file.edges.push_back({from, to, 0, 0, 0});
     // A ray is written as it leaves its vertex.
     if (from >= 0 && to < 0) file.edges.push_back({from, -1, dx, dy, 0});
-    if (from < 0 && to >= 0) file.edges.push_back({to, -1, -dx, -dy, 0});
+    if (from < 0 && to >= 0) file.edges.push_back({to, -1, 0 - dx, 0 - dy, 0});
   }
   return file;
 }

@@ -217,9 +217,6 @@ TEST(Constraints, WrongUseIsExplained) {
   expect_failure(run({"triangulate", poly, "-o", folder / "o.adj"}), 2, {"neighbours"});
   expect_failure(run({"voronoi", poly, "-o", folder / "o.csv"}), 3,
                  {"frame.poly", "triangulate"});
-  const std::string ring = folder.write("r.geojson", "{}");
-  expect_failure(run({"triangulate", points, "--constraints", ring, "-o", out}), 3,
-                 {"r.geojson", ".poly"});
 }
 
 TEST(Constraints, RingThatRepeatsItsFirstRowHasNoSegmentOfLengthZero) {

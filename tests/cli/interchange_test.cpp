@@ -112,6 +112,9 @@ TEST(Triangulate, WritesQhullsAndMathematicasFormats) {
   EXPECT_EQ(written("i"), "1\n0 1 2\n");
   EXPECT_EQ(written("Fv"), "1\n3 0 1 2\n");
   EXPECT_EQ(written("FN"), "3\n1 0\n1 0\n1 0\n");
+  EXPECT_EQ(written("o"), "3\n3 1 3\n0 0 0\n1 0 1\n0 1 1\n3 0 1 2\n");
+  expect_success(run({"triangulate", points, "-o", folder / "t.o"}));
+  expect_success(run({"check", points, folder / "t.o"}));
   EXPECT_EQ(written("mathematica"), "{{1, {2, 3}},\n {2, {3, 1}},\n {3, {1, 2}}}\n");
   EXPECT_EQ(written("xy"), "0 0\n1 0\n0 1\n");
 }

@@ -181,5 +181,43 @@ TEST(VoronoiCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"b.csv", "g.csv", "p.csv"}));
 }
 
+TEST(VoronoiCommand, WritesTrianglesVerticesAndEdges) {
+  const Folder folder;
+  const std::string points = folder.write("diamond.csv", diamond);
+  expect_success(run({"voronoi", points, "-o", folder / "d.v.node"}));
+  expect_success(run({"voronoi", points, "-o", folder / "d.v.edge"}));
+  const auto vertices = lines(folder.read("d.v.node")),
+             edges = lines(folder.read("d.v.edge"));
+  ASSERT_EQ(vertices.size(), 13U);
+  EXPECT_EQ(vertices[0], "12 2 0 0");
+  EXPECT_EQ(vertices[1], "0 0.5 -0.25");
+  ASSERT_EQ(edges.size(), 21U);
+  EXPECT_EQ(edges[0], "20 0");
+  EXPECT_EQ(edges[1], "0 0 -1 0 -1");  // the ray below (0.5, -0.25)
+  const Outcome outcome = run({"voronoi", points, "-o", "-", "--format", "v.edge"});
+  EXPECT_EQ(outcome.out, folder.read("d.v.edge"));
+}
+
+TEST(VoronoiCommand, VerticesKeepTheBaseOfANodeFile) {
+  const Folder folder;
+  const std::string points =
+      folder.write("p.node", "4 2 0 0\n1 0 0\n2 4 0\n3 0 2\n4 5 5\n");
+  expect_success(run({"voronoi", points, "-o", folder / "p.v.node"}));
+  EXPECT_TRUE(lines(folder.read("p.v.node"))[1].starts_with("1 "));
+  expect_success(run({"voronoi", points, "-o", folder / "p.v.edge"}));
+  EXPECT_TRUE(lines(folder.read("p.v.edge"))[1].starts_with("1 1 "));
+}
+
+TEST(VoronoiCommand, DiagramsOfTriangleAreForThePlaneAndWhole) {
+  const Folder folder;
+  const std::string globe = folder.write("g.csv", "lon,lat\n0,0\n9,0\n0,9\n");
+  expect_failure(run({"voronoi", globe, "-o", folder / "g.v.node"}), 2,
+                 {"v.node", "plane", ".geojson"});
+  const std::string points = folder.write("diamond.csv", diamond);
+  expect_failure(
+      run({"voronoi", points, "-o", folder / "d.v.edge", "--region", "0/1/0/1"}), 2,
+      {"--region", "v.edge"});
+}
+
 }  // namespace
 }  // namespace delone::test

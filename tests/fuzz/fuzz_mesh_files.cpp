@@ -1,5 +1,6 @@
-// Any bytes as a file of points, triangles or a mesh: either sound indices or a ReadError
-// of one line. The first byte chooses the reader.
+// Any bytes as a file of points, segments, triangles or a mesh: either sound indices or a
+// ReadError of one line. The first byte chooses the reader, or, for a run of one reader
+// alone, its name in the environment: DELONE_FUZZ_READER=geojson.
 
 #include <unistd.h>
 
@@ -12,10 +13,12 @@
 #include <string>
 
 #include "delaunay/triangle_list.hpp"
+#include "io/geojson_lines.hpp"
 #include "io/grid_file.hpp"
 #include "io/lonlat_rings.hpp"
 #include "io/mesh.hpp"
 #include "io/node_file.hpp"
+#include "io/poly_file.hpp"
 #include "io/renka_file.hpp"
 #include "io/table.hpp"
 #include "io/triangle_file.hpp"
@@ -98,35 +101,74 @@ void read_grid_file(const std::string& path) {
   require(grid.field.grid.size() == std::ssize(grid.field.values));
 }
 
+void read_geojson_file(const std::string& path) {
+  const io::GeoJsonLines file = io::read_geojson_lines(path);
+  for (const auto& ring : file.rings) require(ring.size() >= 3);
+  for (const auto& line : file.lines) {
+    require(line.size() >= 2);
+    for (const auto& [x, y] : line) require(std::isfinite(x) && std::isfinite(y));
+  }
+}
+
+void read_poly_file(const std::string& path) {
+  const io::PolyFile file = io::read_poly(path);
+  require(file.segment_lines.size() == file.graph.segments.size());
+  for (const auto& segment : file.graph.segments)
+    for (const std::int32_t end : segment)
+      require(end >= 0 && end < std::ssize(file.graph.points));
+}
+
+void read_rings_file(const std::string& path) {
+  const io::RingFile file = io::read_rings(path, num_nodes);
+  require(std::ssize(file.rings) == num_nodes);
+  for (const auto& ring : file.rings)
+    for (const std::int32_t node : ring) require(node >= 0 && node < num_nodes);
+}
+
 struct Reader {
+  const char* name;
   const char* extension;
   void (*read)(const std::string& path);
 };
 
-constexpr std::array<Reader, 13> readers{{
-    {".off", read_mesh_file},
-    {".ply", read_mesh_file},
-    {".vtu", read_mesh_file},
-    {".nc", read_mesh_file},
-    {".nc", read_grid_file},
-    {".tri", read_triangle_file},
-    {".ele", read_triangle_file},
-    {".adj", read_triangle_file},
-    {".renka", read_triangle_file},
-    {".node", read_node_file},
-    {".edge", read_edge_file},
-    {".neigh", read_neigh_file},
-    {".fn", read_fn_file},
+constexpr std::array<Reader, 18> readers{{
+    {"off", ".off", read_mesh_file},
+    {"ply", ".ply", read_mesh_file},
+    {"vtu", ".vtu", read_mesh_file},
+    {"ugrid", ".nc", read_mesh_file},
+    {"grid", ".nc", read_grid_file},
+    {"tri", ".tri", read_triangle_file},
+    {"ele", ".ele", read_triangle_file},
+    {"adj", ".adj", read_triangle_file},
+    {"renka", ".renka", read_triangle_file},
+    {"node", ".node", read_node_file},
+    {"edge", ".edge", read_edge_file},
+    {"neigh", ".neigh", read_neigh_file},
+    {"fn", ".fn", read_fn_file},
+    {"o", ".o", read_mesh_file},
+    {"geojson", ".geojson", read_geojson_file},
+    {"poly", ".poly", read_poly_file},
+    {"rings", ".adj", read_rings_file},
+    {"lists", ".renka", read_rings_file},
 }};
+
+const Reader* asked_for() {
+  const char* const name = std::getenv("DELONE_FUZZ_READER");
+  if (!name) return nullptr;
+  for (const Reader& reader : readers)
+    if (std::string(reader.name) == name) return &reader;
+  std::abort();
+}
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  const auto& [extension, read] = readers[data[0] % readers.size()];
-  const std::string path = file_with(extension, data + 1, size - 1);
+  static const Reader* const only = asked_for();
+  const Reader& reader = only ? *only : readers[data[0] % readers.size()];
+  const std::string path = file_with(reader.extension, data + 1, size - 1);
   try {
-    read(path);
+    reader.read(path);
   } catch (const io::ReadError& error) {
     require(std::string(error.what()).find('\n') == std::string::npos);
   }

@@ -123,7 +123,64 @@ TEST_P(MeshFormat, NeverTakesAFileThatIsCutShort) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MeshFormat, testing::Values("off", "ply", "vtu", "nc"));
+INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
+                         testing::Values("off", "o", "ply", "vtu", "nc"));
+
+TEST(ReadPly, CountsNoVerticesThatHaveNoPosition) {
+  const std::string faces =
+      "element face 1\nproperty list int int vertex_indices\nend_header\n";
+  // Without properties nothing is read, and corners 0, 1, 2 would be nodes of nothing.
+  EXPECT_NE(complaint("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n" + faces +
+                                   "1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n")
+                .find("no properties x and y"),
+            std::string::npos);
+  EXPECT_NE(complaint("a.ply",
+                      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                      "property float y\nelement vertex 9\n" +
+                          faces + "1 0\n3 0 1 2\n")
+                .find("two elements"),
+            std::string::npos);
+}
+
+TEST(QhullO, HasTheSitesLiftedAsQdelaunayPrintsThem) {
+  const TemporaryFolder folder;
+  write_mesh(folder.path("s.o"), square());
+  EXPECT_EQ(content_of(folder.path("s.o")),
+            "3\n4 2 5\n0 0 0\n1 0 1\n1 1 2\n0.1 1 1.01\n3 0 1 2\n3 0 2 3\n");
+}
+
+TEST(QhullO, IsReadAsQhullPrintsIt) {
+  // `qdelaunay o` of five sites; the lifted coordinates may be off by a rounding.
+  const Mesh mesh =
+      read("q.o",
+           "3\n5 4 6\n     0      0      0 \n     1      0    0.5 \n"
+           "     0      1    0.5 \n     1      1      1 \n"
+           "   0.3    0.6  0.225 \n3 1 4 0 \n3 4 2 0 \n3 3 4 1 \n3 4 3 2 \n");
+  EXPECT_EQ(mesh.space, Mesh::Space::plane);
+  EXPECT_EQ(mesh.x, (std::vector<double>{0, 1, 0, 1, 0.3}));
+  EXPECT_EQ(mesh.num_cells(), 4);
+}
+
+TEST(QhullO, SitesThatAreLiftedToUnitVectorsStayInThePlane) {
+  // On this circle x*x + y*y is the height of a unit vector.
+  const double r = std::sqrt((std::sqrt(5.0) - 1) / 2);
+  const Mesh ring =
+      triangle_mesh(Mesh::Space::plane, std::vector{r, 0.0, -r}, std::vector{0.0, r, 0.0},
+                    std::vector<Triangle>{{0, 1, 2}});
+  const TemporaryFolder folder;
+  write_mesh(folder.path("r.o"), ring);
+  expect_same(read_mesh(folder.path("r.o")), ring);
+}
+
+TEST(QhullO, RefusesSitesBeyondTheRangeOfTheirSquares) {
+  const TemporaryFolder folder;
+  const Mesh wide =
+      triangle_mesh(Mesh::Space::plane, std::vector{0.0, 1e200, 0.0},
+                    std::vector{0.0, 0.0, 1.0}, std::vector<Triangle>{{0, 1, 2}});
+  EXPECT_NE(message_of<Error>([&] { write_mesh(folder.path("w.o"), wide); }).find(".off"),
+            std::string::npos);
+  EXPECT_TRUE(folder.names().empty());
+}
 
 TEST(WriteMesh, RefusesCornersThatAreNoNodes) {
   Mesh mesh = square();

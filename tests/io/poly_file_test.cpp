@@ -107,5 +107,47 @@ TEST(ReadPoly, FileThatEndsTooSoonIsAnError) {
   }
 }
 
+TEST(WritePoly, IsReadBackAsItWas) {
+  const TemporaryFolder folder;
+  for (const std::string markers : {"", " 7"}) {
+    for (const int base : {0, 1}) {
+      PolyFile file = read("3 2 1 1\n1 0 0.1 5 -1\n2 1e-300 0 6 0\n3 0 1 7 2\n2 " +
+                           std::string(markers.empty() ? "0" : "1") + "\n1 1 2" +
+                           markers + "\n2 3 1" + markers +
+                           "\n1\n1 0.5 0.25\n2\n1 0.1 0.2 5 0.01\n2 0.3 0.4 6\n");
+      file.nodes.base = base;
+      write_poly(folder.path("w.poly"), file);
+      const PolyFile again = read_poly(folder.path("w.poly"));
+      EXPECT_EQ(again.nodes.base, base);
+      EXPECT_EQ(again.nodes.x, file.nodes.x);
+      EXPECT_EQ(again.nodes.attributes, file.nodes.attributes);
+      EXPECT_EQ(again.nodes.markers, file.nodes.markers);
+      EXPECT_EQ(again.graph.points, file.graph.points);
+      EXPECT_EQ(again.graph.segments, file.graph.segments);
+      EXPECT_EQ(again.segment_markers, file.segment_markers);
+      EXPECT_EQ(again.graph.holes, file.graph.holes);
+      ASSERT_EQ(again.graph.regions.size(), 2U);
+      EXPECT_EQ(again.graph.regions[0].max_area, 0.01);
+      EXPECT_EQ(again.graph.regions[1].attribute, 6);
+    }
+  }
+}
+
+TEST(WritePoly, RefusesSegmentsWithoutTheirNode) {
+  const TemporaryFolder folder;
+  PolyFile file = read(square + "1 0\n1 1 2\n0\n");
+  file.graph.segments.push_back({0, 4});
+  EXPECT_NE(message_of<Error>([&] {
+              write_poly(folder.path("w.poly"), file);
+            }).find("segment 1 ends at row 4"),
+            std::string::npos);
+  file.graph.segments.pop_back();
+  file.segment_markers = {1, 2};
+  EXPECT_NE(
+      message_of<Error>([&] { write_poly(folder.path("w.poly"), file); }).find("marker"),
+      std::string::npos);
+  EXPECT_TRUE(folder.names().empty());
+}
+
 }  // namespace
 }  // namespace delone::io
