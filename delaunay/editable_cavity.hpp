@@ -18,11 +18,12 @@ namespace delone::delaunay {
 /// Sources: A. Bowyer, Comput. J. 24 (1981) 162-166; D. F. Watson, ibid. 167-172.
 class EditableCavity {
  public:
-  /// All faces that `sees(face number)` holds for and that hang together with `seed`, for
-  /// which it holds too.
-  template <class Sees>
-  void dig(const ClosedMesh& mesh, std::int32_t seed, Sees sees);
-  /// Replaces the faces by triangles from `q` to every edge of the rim. O(their number).
+  /// The face `seed` and all that are reached from it across edges that `gives_way(e)`
+  /// holds for; e: the half-edge of the face beyond.
+  template <class GivesWay>
+  void dig(const ClosedMesh& mesh, std::int32_t seed, GivesWay gives_way);
+  /// Replaces the faces by triangles from `q` to every edge of the rim, which keep their
+  /// marks. O(their number).
   void fill(ClosedMesh& mesh, Site q);
 
  private:
@@ -35,8 +36,8 @@ class EditableCavity {
   std::vector<RimEdge> rim_;
 };
 
-template <class Sees>
-void EditableCavity::dig(const ClosedMesh& mesh, std::int32_t seed, Sees sees) {
+template <class GivesWay>
+void EditableCavity::dig(const ClosedMesh& mesh, std::int32_t seed, GivesWay gives_way) {
   faces_.assign(1, seed);
   rim_.clear();
   const auto& link = mesh.face(seed).link;
@@ -45,7 +46,7 @@ void EditableCavity::dig(const ClosedMesh& mesh, std::int32_t seed, Sees sees) {
     // An edge seen from beyond; next one in counter-clockwise order on top.
     HalfEdge e = stack_.back();
     stack_.pop_back();
-    while (sees(ClosedMesh::face_of(e))) {
+    while (gives_way(e)) {
       faces_.push_back(ClosedMesh::face_of(e));
       stack_.push_back(mesh.reverse(ClosedMesh::previous(e)));
       e = mesh.reverse(ClosedMesh::next(e));
@@ -68,6 +69,7 @@ inline void EditableCavity::fill(ClosedMesh& mesh, Site q) {
       mesh.replace_face(f, {q, from, to});
     }
     mesh.join(ClosedMesh::half_edge(f, 1), outside);
+    if (mesh.is_constraint(outside)) mesh.set_constraint(outside, Constraint::on);
     const HalfEdge last = ClosedMesh::half_edge(f, 2);  // to -> q
     if (spoke == none) {
       first_spoke = last;

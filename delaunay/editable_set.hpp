@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -18,23 +19,27 @@
 namespace delone::delaunay {
 
 /// What the set needs besides: `Key key(p)`, equal for equal positions; `is_preferred(p,
-/// q)`: of two forms of one position, does p stand for both? `Triangulation`, the room's.
+/// q)`: of two forms of one position, does p stand for both? `has_arc(p, q)`: is there
+/// one arc between two positions? `Triangulation`, the room's.
 template <class G>
 concept EditableSetGeometry = EditableGeometry<G> &&
     requires(const typename G::Point& p, std::span<const typename G::Point> points) {
   typename G::Triangulation;
   { G::key(p) } -> std::same_as<typename G::Key>;
   { G::is_preferred(p, p) } -> std::same_as<bool>;
+  { G::has_arc(p, p) } -> std::same_as<bool>;
 };
 
 /// The rows of an editor: numbered points that come and go, several of which may share a
 /// position. Positions are the nodes of a surface, numbered from 1; while they are flat,
-/// they are kept in a map.
+/// they are kept in a map. Forced arcs join rows; the surface has them as walls between
+/// nodes, but while it is flat.
 template <EditableSetGeometry G>
 class EditableSet {
  public:
   using Point = typename G::Point;
   using Triangulation = typename G::Triangulation;
+  using Arc = std::array<Node, 2>;
 
   EditableSet() = default;
   explicit EditableSet(const Triangulation& t);
@@ -62,11 +67,25 @@ class EditableSet {
   void remove(Node row);
   void move(Node row, const Point& p);
 
+  void force(Node a, Node b);
+  void release(Node a, Node b);
+  [[nodiscard]] bool is_forced(Node a, Node b) const { return arcs_.contains({a, b}); }
+  /// Smaller row first, sorted.
+  [[nodiscard]] std::vector<Arc> arcs() const;
+
   /// Points of rows(), in their order.
   [[nodiscard]] std::vector<Point> points() const;
-  /// Lists of the sites whose first rows, as places in rows(), are `first`.
+  /// Lists of the sites whose first rows, as places in rows(), are `first`: of the
+  /// Delaunay triangulation without the forced arcs, and of that with them.
   [[nodiscard]] Adjacency adjacency(std::span<const Node> live,
                                     std::span<const Node> first) const;
+  [[nodiscard]] Adjacency forced_adjacency(std::span<const Node> live,
+                                           std::span<const Node> first) const {
+    return lists(surface_, live, first);
+  }
+  /// For checking: the nodes' surface, unless flat, and the node of a row.
+  [[nodiscard]] const EditableSurface<G>& surface() const noexcept { return surface_; }
+  [[nodiscard]] Site node(Node row) const { return node_of(row); }
 
  private:
   /// One of several rows at a position.
@@ -81,6 +100,17 @@ class EditableSet {
     check_has(row);
     return node_of_row_[at(row)];
   }
+  /// Throws if the row cannot go: forced arcs end at it, or cross there.
+  void check_leaves(Node row) const;
+  [[nodiscard]] bool is_on_arc(const Arc& arc, Site v) const;
+  [[noreturn]] void refuse_node(Node row) const;
+  [[noreturn]] void refuse_crossing(const Arc& arc, Site u, Site v) const;
+  static std::string name_of(const Arc& arc) {
+    return std::to_string(arc[0]) + "-" + std::to_string(arc[1]);
+  }
+  [[nodiscard]] Adjacency lists(const EditableSurface<G>& surface,
+                                std::span<const Node> live,
+                                std::span<const Node> first) const;
   [[nodiscard]] Node new_row();
   [[nodiscard]] Site new_node(Node row, const Point& p);
   void put(Node row, const Point& p, Site hint);
@@ -106,6 +136,7 @@ class EditableSet {
   std::vector<Site> free_nodes_;
   // Nodes with several rows: all their rows.
   std::unordered_map<Site, std::vector<Repeat>> repeats_;
+  std::set<Arc> arcs_;  // each from both its ends
 };
 
 template <EditableSetGeometry G>
@@ -184,6 +215,7 @@ Node EditableSet<G>::insert(const Point& p, Node hint) {
 template <EditableSetGeometry G>
 void EditableSet<G>::remove(Node row) {
   check_has(row);
+  check_leaves(row);
   take(row);
   node_of_row_[at(row)] = none;
   free_rows_.push_back(row);
@@ -192,7 +224,101 @@ void EditableSet<G>::remove(Node row) {
 template <EditableSetGeometry G>
 void EditableSet<G>::move(Node row, const Point& p) {
   check_has(row);
+  check_leaves(row);
   put(row, p, take(row));
+}
+
+template <EditableSetGeometry G>
+void EditableSet<G>::force(Node a, Node b) {
+  const Site u = node_of(a), v = node_of(b);
+  const std::string name = "rows " + std::to_string(a) + " and " + std::to_string(b);
+  if (u == v) throw Error(name + " have one position: there is no arc to force", {a, b});
+  if (!G::has_arc(surface_.point(u), surface_.point(v)))
+    throw Error(name +
+                    " are antipodes, which many arcs join; force arcs over a point "
+                    "between",
+                {a, b});
+  if (is_forced(a, b)) return;
+  surface_.open();
+  if (!surface_.is_flat()) {
+    surface_.force(u, v, [&](Site from, Site to) { refuse_crossing({a, b}, from, to); });
+  }
+  arcs_.insert({a, b});
+  arcs_.insert({b, a});
+}
+
+template <EditableSetGeometry G>
+void EditableSet<G>::release(Node a, Node b) {
+  if (!is_forced(a, b)) {
+    throw Error("there is no forced arc between rows " + std::to_string(a) + " and " +
+                    std::to_string(b),
+                {a, b});
+  }
+  if (!surface_.is_flat()) surface_.release(node_of(a), node_of(b));
+  arcs_.erase({a, b});
+  arcs_.erase({b, a});
+}
+
+template <EditableSetGeometry G>
+auto EditableSet<G>::arcs() const -> std::vector<Arc> {
+  std::vector<Arc> result;
+  for (const Arc& arc : arcs_) {
+    if (arc[0] < arc[1]) result.push_back(arc);
+  }
+  return result;
+}
+
+template <EditableSetGeometry G>
+void EditableSet<G>::check_leaves(Node row) const {
+  if (arcs_.empty()) return;
+  const auto arc = arcs_.lower_bound({row, 0});
+  if (arc != arcs_.end() && (*arc)[0] == row) {
+    throw Error("row " + std::to_string(row) + " is an end of the arc forced to row " +
+                    std::to_string((*arc)[1]) + "; release the arc first",
+                {row, (*arc)[1]});
+  }
+  const Site node = node_of_row_[at(row)];
+  if (surface_.is_flat() || repeats_.contains(node)) return;
+  if (surface_.num_walls_at(node) > 2) refuse_node(row);
+}
+
+template <EditableSetGeometry G>
+bool EditableSet<G>::is_on_arc(const Arc& arc, Site v) const {
+  const Site a = node_of_row_[at(arc[0])], b = node_of_row_[at(arc[1])];
+  if (v == a || v == b) return true;
+  const typename G::Segments segments = surface_.segments();
+  return segments.orientation(a, b, v) == 0 && segments.is_ahead(a, b, v) &&
+         segments.is_ahead(b, a, v);
+}
+
+// Two arcs of different lines: the second has no end on the first one's.
+template <EditableSetGeometry G>
+void EditableSet<G>::refuse_node(Node row) const {
+  const Site node = node_of_row_[at(row)];
+  const typename G::Segments segments = surface_.segments();
+  std::vector<Arc> crossing;
+  for (const Arc& arc : arcs()) {
+    if (!is_on_arc(arc, node)) continue;
+    if (crossing.empty() ||
+        segments.orientation(node_of(crossing[0][0]), node, node_of(arc[0])) != 0)
+      crossing.push_back(arc);
+    if (crossing.size() == 2) break;
+  }
+  throw Error("row " + std::to_string(row) + " is where the forced arcs " +
+                  name_of(crossing[0]) + " and " + name_of(crossing[1]) +
+                  " cross; release one of them first",
+              {row, crossing[0][0], crossing[0][1], crossing[1][0], crossing[1][1]});
+}
+
+template <EditableSetGeometry G>
+void EditableSet<G>::refuse_crossing(const Arc& arc, Site u, Site v) const {
+  const Arc other = *std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& forced) {
+    return is_on_arc(forced, u) && is_on_arc(forced, v);
+  });
+  throw Error("the arc " + name_of(arc) + " would cross the forced arc " +
+                  name_of(other) +
+                  "; release that, or force both over a point that they share",
+              {arc[0], arc[1], other[0], other[1]});
 }
 
 template <EditableSetGeometry G>
@@ -270,6 +396,7 @@ void EditableSet<G>::take_repeat(Node row, Site node) {
 // The same position, but another form of it stands for all and breaks ties its own way.
 template <EditableSetGeometry G>
 void EditableSet<G>::replace_point(Site node, const Point& p) {
+  if (!arcs_.empty() && !surface_.is_flat()) return surface_.restate(node, p);
   detach(node);
   surface_.set_point(node, p);
   attach(node, none);
@@ -334,20 +461,34 @@ void EditableSet<G>::raise_surface() {
   std::vector<Site> number;
   for (const Node row : t.rows()) number.push_back(nodes[at(row)]);
   surface_.build(t.adjacency(), std::move(number));
+  for (const Arc& arc : arcs()) {
+    surface_.force(node_of(arc[0]), node_of(arc[1]),
+                   [&](Site u, Site v) { refuse_crossing(arc, u, v); });
+  }
 }
 
 template <EditableSetGeometry G>
 Adjacency EditableSet<G>::adjacency(std::span<const Node> live,
                                     std::span<const Node> first) const {
+  if (arcs_.empty()) return lists(surface_, live, first);
+  EditableSurface<G> released = surface_;
+  for (const auto& [a, b] : arcs()) released.release(node_of(a), node_of(b));
+  return lists(released, live, first);
+}
+
+template <EditableSetGeometry G>
+Adjacency EditableSet<G>::lists(const EditableSurface<G>& surface,
+                                std::span<const Node> live,
+                                std::span<const Node> first) const {
   const auto num_sites = static_cast<Site>(first.size());
   std::vector<Site> number(row_of_node_.size(), none);
   number[0] = num_sites;
   for (Site s = 0; s < num_sites; ++s)
     number[at(node_of_row_[at(live[at(first[at(s)])])])] = s;
-  const ClosedMesh& mesh = surface_.mesh();
+  const ClosedMesh& mesh = surface.mesh();
   return Adjacency(
       mesh.renumbered(number, num_sites + 1).to_lists(num_sites, [&](std::int32_t f) {
-        return !surface_.is_front(f);
+        return !surface.is_front(f);
       }));
 }
 

@@ -82,9 +82,12 @@ void EditableStar::move_in(ClosedMesh& mesh) {
     for (std::size_t k = 0; k < 3; ++k) {
       const HalfEdge e = ClosedMesh::half_edge(f, k), r = patch_.reverse(e);
       const std::int32_t beyond = slots_[at(ClosedMesh::face_of(r))];
-      mesh.join(ClosedMesh::half_edge(slots_[at(f)], k),
-                beyond == none ? outside_[at(patch_.origin(e))]
-                               : ClosedMesh::half_edge(beyond, ClosedMesh::corner_of(r)));
+      const HalfEdge other =
+          beyond == none ? outside_[at(patch_.origin(e))]
+                         : ClosedMesh::half_edge(beyond, ClosedMesh::corner_of(r));
+      mesh.join(ClosedMesh::half_edge(slots_[at(f)], k), other);
+      if (beyond == none && mesh.is_constraint(other))
+        mesh.set_constraint(other, Constraint::on);
     }
   }
   while (num_used < faces_.size()) mesh.remove_face(faces_[num_used++]);

@@ -30,6 +30,11 @@ class EditableStar {
   void gather(const ClosedMesh& mesh, Site v);
   /// Its neighbours, counter-clockwise.
   [[nodiscard]] std::span<const Site> rim() const noexcept { return rim_; }
+  /// Face i holds v and the rim's edge from node i to the next. Those that `fill` puts in
+  /// their places come first, two fewer.
+  [[nodiscard]] std::span<const std::int32_t> faces() const noexcept { return faces_; }
+  /// The half-edges of that edge which are not the star's own.
+  [[nodiscard]] std::span<const HalfEdge> outside() const noexcept { return outside_; }
   /// Removes v and fills the hole. `sees(corners, i)`, all numbers into rim(): is rim
   /// node i above the plane of three others, that is, does the face with these corners
   /// give way to it? It must answer consistently for every four, and an odd permutation
@@ -75,8 +80,8 @@ void EditableStar::fill(ClosedMesh& mesh, Sees sees) {
     const HalfEdge e = cone_[at(neighbors_[at(u)].before)];
     const HalfEdge to_after = patch_.reverse(e);
     const HalfEdge to_before = patch_.reverse(ClosedMesh::previous(e));
-    cavity_.dig(patch_, ClosedMesh::face_of(e), [&](std::int32_t f) {
-      const std::array<Site, 3>& corner = patch_.face(f).node;
+    cavity_.dig(patch_, ClosedMesh::face_of(e), [&](HalfEdge beyond) {
+      const std::array<Site, 3>& corner = patch_.face(ClosedMesh::face_of(beyond)).node;
       if (corner[0] == apex() || corner[1] == apex() || corner[2] == apex()) return false;
       return static_cast<bool>(sees(corner, u));
     });

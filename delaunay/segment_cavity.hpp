@@ -1,23 +1,34 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <vector>
 
+#include "delaunay/adjacency.hpp"
 #include "delaunay/closed_mesh.hpp"
 
 namespace delone::delaunay {
+
+/// The Delaunay triangulation of some sites only; its site i is sites[i].
+struct PartialTriangulation {
+  Adjacency adjacency;
+  std::vector<Site> sites;
+};
 
 /// What segments need to know about positions. For sites a, b, c, d:
 ///   orientation(a, b, c)  +1 left of a -> b, -1 right, 0 on its line; exact
 ///   is_ahead(a, b, c)     a, b, c on one line: is c on b's side of a?
 ///   is_inside(a, b, c, d) is d inside the circle of the counter-clockwise triangle a, b,
 ///                         c, ties broken canonically?
+///   triangulate(sites)    these sites, different from one another, on their own
 template <class G>
-concept SegmentGeometry = requires(const G& g, Site v) {
+concept SegmentGeometry = requires(const G& g, Site v, std::span<const Site> sites) {
   { g.orientation(v, v, v) } -> std::same_as<int>;
   { g.is_ahead(v, v, v) } -> std::same_as<bool>;
   { g.is_inside(v, v, v, v) } -> std::same_as<bool>;
+  { g.triangulate(sites) } -> std::same_as<PartialTriangulation>;
 };
 
 /// One side of the cavity that the faces crossed by a segment leave: a polygon with
@@ -51,32 +62,22 @@ class CavitySide {
   ///
   /// Every corner sees the segment, which makes the choice of the apex over an edge easy:
   /// the corner whose circle through the edge's ends is empty. It leaves two polygons of
-  /// the same kind. Cost: the number of corners times the depth of this division.
+  /// the same kind. The number of corners times the depth of this division is what that
+  /// costs. Where it comes to more than some 30 tests a corner, as between two chains
+  /// that curve away from the segment, the corners are triangulated on their own instead:
+  /// the polygon's faces are among those, provided that its sides are edges there. They
+  /// are wherever no constraint is near, since an edge that is Delaunay among all sites
+  /// is so among some; O(n log n) for n corners. Elsewhere the division goes on.
   ///
   /// Source: M. V. Anglada, Comput. Graph. 21 (1997) 215-223.
   template <SegmentGeometry G>
   HalfEdge fill(ClosedMesh& mesh, const G& g) {
-    HalfEdge base = none;
-    parts_.assign(1, {0, node_.size() - 1, none});
-    while (!parts_.empty()) {
-      const Part part = parts_.back();
-      parts_.pop_back();
-      if (part.last - part.first == 1) {
-        attach(mesh, part.first, part.edge);
-        continue;
-      }
-      const std::size_t apex = choose_apex(g, part.first, part.last);
-      const std::int32_t f =
-          mesh.add_face({node_[part.last], node_[part.first], node_[apex]});
-      if (part.edge == none) {
-        base = ClosedMesh::half_edge(f, 0);
-      } else {
-        mesh.join(part.edge, ClosedMesh::half_edge(f, 0));
-      }
-      parts_.push_back({part.first, apex, ClosedMesh::half_edge(f, 1)});
-      parts_.push_back({apex, part.last, ClosedMesh::half_edge(f, 2)});
+    const std::size_t n = node_.size();
+    if (!plan(g, n <= 64 ? n * n : 32 * n)) {
+      if (find_among(g.triangulate(distinct_nodes()))) return fill_found(mesh);
+      plan(g, n * n);
     }
-    return base;
+    return fill_planned(mesh);
   }
 
  private:
@@ -86,6 +87,12 @@ class CavitySide {
     std::size_t first, last;
     HalfEdge edge;
   };
+  // A face of the polygon: the corners' sites, and what its edges are: numbers of sides,
+  // or ~number of the face beyond and its edge, 4 * face + k.
+  struct FoundFace {
+    std::array<Site, 3> node;
+    std::array<std::ptrdiff_t, 3> edge;
+  };
   // What lies beyond a side: a half-edge that stays, or another side of the polygon.
   struct Around {
     HalfEdge outer = none, filled = none;
@@ -93,6 +100,30 @@ class CavitySide {
     std::size_t partner = no_partner;
   };
   static constexpr std::size_t no_partner = static_cast<std::size_t>(-1);
+
+  // Chooses all apexes, first polygon first; false if that takes more than `budget`
+  // tests.
+  template <SegmentGeometry G>
+  bool plan(const G& g, std::size_t budget) {
+    apexes_.clear();
+    parts_.assign(1, {0, node_.size() - 1, none});
+    for (std::size_t spent = 0; !parts_.empty();) {
+      const Part part = parts_.back();
+      parts_.pop_back();
+      if (part.last - part.first == 1) continue;
+      spent += part.last - part.first;
+      if (spent > budget) return false;
+      const std::size_t apex = choose_apex(g, part.first, part.last);
+      apexes_.push_back(apex);
+      parts_.push_back({part.first, apex, none});
+      parts_.push_back({apex, part.last, none});
+    }
+    return true;
+  }
+  HalfEdge fill_planned(ClosedMesh& mesh);
+  [[nodiscard]] std::vector<Site> distinct_nodes() const;
+  bool find_among(const PartialTriangulation& t);
+  HalfEdge fill_found(ClosedMesh& mesh);
 
   template <SegmentGeometry G>
   [[nodiscard]] std::size_t choose_apex(const G& g, std::size_t first,
@@ -113,6 +144,8 @@ class CavitySide {
   std::vector<HalfEdge> inner_;
   std::vector<Around> around_;
   std::vector<Part> parts_;
+  std::vector<std::size_t> apexes_;
+  std::vector<FoundFace> found_;
 };
 
 }  // namespace delone::delaunay

@@ -35,8 +35,10 @@ class SegmentMesh {
   [[nodiscard]] const ClosedMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] const SegmentPaths& paths() const noexcept { return paths_; }
   [[nodiscard]] Site ghost() const noexcept { return ghost_; }
-  /// Did an insertion meet an edge that was a constraint already?
-  [[nodiscard]] bool has_shared_pieces() const noexcept { return has_shared_pieces_; }
+  /// Edges that an insertion met which were constraints already, once for each time.
+  [[nodiscard]] const std::vector<Edge>& shared_pieces() const noexcept {
+    return shared_pieces_;
+  }
   [[nodiscard]] ClosedMesh take_mesh() { return std::move(mesh_); }
   [[nodiscard]] SegmentPaths take_paths() { return std::move(paths_); }
   /// Numbers the ghost `last` and the sites after it one lower. O(nodes).
@@ -93,6 +95,19 @@ class SegmentMesh {
   void release(HalfEdge e) {
     mesh_.set_constraint(e, Constraint::off);
     suspects_.push_back(e);
+    legalize_suspects();
+  }
+
+  /// To be called when `v` has come to break ties another way, for its position is given
+  /// in another form.
+  void restore_around(Site v) {
+    const HalfEdge first = mesh_.edge_at(v);
+    HalfEdge e = first;
+    do {
+      suspects_.push_back(e);
+      suspects_.push_back(ClosedMesh::next(e));
+      e = mesh_.next_around(e);
+    } while (e != first);
     legalize_suspects();
   }
 
@@ -172,7 +187,8 @@ class SegmentMesh {
   }
 
   void mark(HalfEdge e) {
-    has_shared_pieces_ = has_shared_pieces_ || mesh_.is_constraint(e);
+    if (mesh_.is_constraint(e))
+      shared_pieces_.push_back({mesh_.origin(e), mesh_.target(e)});
     mesh_.set_constraint(e, Constraint::on);
   }
 
@@ -328,7 +344,7 @@ class SegmentMesh {
   const G& g_;
   Site ghost_;
   SegmentPaths paths_;
-  bool has_shared_pieces_ = false;
+  std::vector<Edge> shared_pieces_;
   Buffer<std::int32_t> labels_;  // empty: none
 
   // Work space.

@@ -21,15 +21,15 @@ class ConstraintBuilder {
   /// Triangulates the points and inserts the arcs.
   ConstraintBuilder(const SphereGraph& graph, const SphereConstraintOptions& options,
                     const RunOptions& run);
+  /// `t`: the points triangulated, with or without the arcs.
+  ConstraintBuilder(const SphereGraph& graph, const SphereConstraintOptions& options,
+                    const Triangulation& t);
   ConstraintBuilder(const ConstraintBuilder&) = delete;
   ConstraintBuilder& operator=(const ConstraintBuilder&) = delete;
 
   [[nodiscard]] ConstrainedTriangulation finish() &&;
 
  private:
-  ConstraintBuilder(const SphereGraph& graph, const SphereConstraintOptions& options,
-                    const Triangulation& t);
-
   void check_arcs() const;
   void insert_arcs();
   void divide_chain(Site a, Site b);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <span>
+
 #include "delaunay/adjacency.hpp"
 #include "delaunay/buffer.hpp"
+#include "delaunay/segment_cavity.hpp"
 #include "stripack/great_circle.hpp"
 #include "stripack/predicate_filters.hpp"
 #include "stripack/predicates.hpp"
@@ -32,6 +35,10 @@ class SiteSphere {
     const int certain = in_circle_filter(at(a), at(b), at(c), at(d));
     return (certain != 0 ? certain : in_circle_perturbed(at(a), at(b), at(c), at(d))) > 0;
   }
+
+  /// One thread, for it is a part of an edit or of an insertion.
+  [[nodiscard]] delaunay::PartialTriangulation triangulate(
+      std::span<const Site> sites) const;
 
  private:
   const delaunay::Buffer<Direction>* points_;

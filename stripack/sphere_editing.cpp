@@ -15,6 +15,21 @@ bool SphereEditing::is_preferred(const Direction& p, const Direction& q) noexcep
   return lexicographically_less(p, q);
 }
 
+bool SphereEditing::has_arc(const Direction& p, const Direction& q) noexcept {
+  return !is_same_direction(p, Direction::from(-q.x(), -q.y(), -q.z()));
+}
+
+bool SphereEditing::is_beyond(std::span<const Direction> points,
+                              const std::array<Site, 3>& corner,
+                              const Direction& q) noexcept {
+  std::size_t k = 0;
+  while (corner[k] != 0) ++k;
+  const Direction& from = point(points, corner[(k + 1) % 3]);
+  const Direction& to = point(points, corner[(k + 2) % 3]);
+  const int s = orientation(from, to, q);
+  return s != 0 ? s > 0 : is_inside_arc(from, to, q);
+}
+
 // Of three directions on a great circle at most two are opposite to each other, so if all
 // lie on the circles of the pairs of the first three, all lie on one.
 bool SphereEditing::is_flat(std::span<const Direction> points,

@@ -178,7 +178,8 @@ ConstrainedTriangulation ConstraintBuilder::finish() && {
   t.num_triangles_ = domain.num_triangles();
   t.region_of_face_ = std::move(domain.region_of_face);
   t.regions_ = std::move(domain.regions);
-  const bool needs_report = mesh_.has_shared_pieces() || mesh_.paths().has_divisions();
+  const bool needs_report =
+      !mesh_.shared_pieces().empty() || mesh_.paths().has_divisions();
   points_.erase(points_.begin() + infinity);
   for (Site v = infinity; v < num_sites; ++v) {
     rows_.push_back(static_cast<Node>(sites_.size()));

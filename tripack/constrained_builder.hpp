@@ -23,6 +23,9 @@ class ConstraintBuilder {
   /// Triangulates the points and inserts the segments.
   ConstraintBuilder(const PlanarGraph& graph, const ConstraintOptions& options,
                     const RunOptions& run);
+  /// `t`: the points triangulated, with or without the segments.
+  ConstraintBuilder(const PlanarGraph& graph, const ConstraintOptions& options,
+                    const Triangulation& t);
   ConstraintBuilder(const ConstraintBuilder&) = delete;
   ConstraintBuilder& operator=(const ConstraintBuilder&) = delete;
 
@@ -40,9 +43,6 @@ class ConstraintBuilder {
   [[nodiscard]] delaunay::DomainFaces classify() const;
 
  private:
-  ConstraintBuilder(const PlanarGraph& graph, const ConstraintOptions& options,
-                    const Triangulation& t);
-
   void insert_segments();
   void divide_chain();
   [[noreturn]] void refuse_crossing(const Mesh::Edge& piece, const Mesh::Edge& crossed);

@@ -7,6 +7,7 @@
 #include "delaunay/editable_set.hpp"
 #include "delaunay/error.hpp"
 #include "delaunay/site_order.hpp"
+#include "tripack/constrained_builder.hpp"
 #include "tripack/plane_editing.hpp"
 
 namespace delone::tripack {
@@ -42,6 +43,13 @@ Node Editor::insert(Point2 p, Node hint) { return state_->set.insert(checked(p),
 void Editor::remove(Node row) { state_->set.remove(row); }
 void Editor::move(Node row, Point2 p) { state_->set.move(row, checked(p)); }
 
+void Editor::force_arc(Node a, Node b) { state_->set.force(a, b); }
+void Editor::release_arc(Node a, Node b) { state_->set.release(a, b); }
+bool Editor::is_forced(Node a, Node b) const noexcept {
+  return state_->set.is_forced(a, b);
+}
+std::vector<std::array<Node, 2>> Editor::arcs() const { return state_->set.arcs(); }
+
 Node Editor::num_rows() const noexcept { return state_->set.num_rows(); }
 Node Editor::num_points() const noexcept { return state_->set.num_points(); }
 Site Editor::num_sites() const noexcept { return state_->set.num_sites(); }
@@ -56,6 +64,25 @@ Triangulation Editor::triangulation() const {
           [&](const Triangulation&, const delaunay::SiteOrder& order) {
             return set.adjacency(set.rows(), order.rows);
           }};
+}
+
+// Segments then find their edges in place.
+ConstrainedTriangulation Editor::constrained_triangulation(
+    const ConstraintOptions& options) const {
+  const auto& set = state_->set;
+  const std::vector<Node> live = set.rows();
+  std::vector<Node> place(static_cast<std::size_t>(set.num_rows()), delaunay::none);
+  for (std::size_t i = 0; i < live.size(); ++i)
+    place[static_cast<std::size_t>(live[i])] = static_cast<Node>(i);
+  PlanarGraph graph{.points = set.points()};
+  for (const auto& [a, b] : set.arcs())
+    graph.segments.push_back(
+        {place[static_cast<std::size_t>(a)], place[static_cast<std::size_t>(b)]});
+  const Triangulation forced(graph.points, RunOptions{},
+                             [&](const Triangulation&, const delaunay::SiteOrder& order) {
+                               return set.forced_adjacency(live, order.rows);
+                             });
+  return ConstraintBuilder(graph, options, forced).finish();
 }
 
 }  // namespace delone::tripack

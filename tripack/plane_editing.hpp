@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "delaunay/editable_surface.hpp"
+#include "tripack/constrained_geometry.hpp"
 #include "tripack/point.hpp"
 #include "tripack/predicates.hpp"
 #include "tripack/triangulation.hpp"
@@ -18,6 +19,7 @@ struct PlaneEditing {
   using Point = Point2;
   using Key = std::array<double, 2>;
   using Triangulation = tripack::Triangulation;
+  using Segments = SitePlane;
   static constexpr bool has_infinity = true;
   static constexpr Site infinity = 0;
 
@@ -34,6 +36,9 @@ struct PlaneEditing {
   /// In lexicographic order: that along the line.
   static Key key(Point2 p) noexcept { return {p.x, p.y}; }
   static bool is_preferred(Point2, Point2) noexcept { return false; }
+
+  /// Is there one segment between two points?
+  static bool has_arc(Point2, Point2) noexcept { return true; }
 
   /// The square of 2^32 x 2^32 cells that the index of places lives on.
   class Chart {

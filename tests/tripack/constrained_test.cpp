@@ -283,6 +283,23 @@ TEST(Constrained, SegmentAcrossAThousandNeedlesIsOneEdge) {
   EXPECT_EQ(defect_of(t), "none");
 }
 
+// Two chains of 12,000 points that curve towards or away from the segment between them:
+// the division of the cavity is as uneven as can be, and its square would take minutes.
+TEST(Constrained, SegmentBetweenTwoLongChainsTakesNoSquareOfTheirLength) {
+  for (const double bend : {-1.0, 1.0}) {
+    constexpr int half = 6000;
+    PlanarGraph graph{.points = {{-half - 1, 0}, {half + 1, 0}}, .segments = {{0, 1}}};
+    for (int i = -half; i <= half; ++i) {
+      const double u = static_cast<double>(i) / half, y = 1.75 + bend * u * u;
+      graph.points.push_back({static_cast<double>(i), y});
+      graph.points.push_back({i + 0.25, -y});
+    }
+    const ConstrainedTriangulation t(graph, {.domain = Domain::hull});
+    EXPECT_EQ(t.path(0), (std::vector<Node>{0, 1}));
+    EXPECT_EQ(find_defect(t).value_or("none"), "none");
+  }
+}
+
 TEST(Constrained, EdgeThatSticksIntoTheWayOfASegmentStays) {
   // Rows 2 - 3 hang down to the segment 0 - 1 from a fan above; both sides of the edge
   // are crossed.
