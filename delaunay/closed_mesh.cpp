@@ -102,9 +102,14 @@ class ClosedMesh::ListReader {
 
   [[nodiscard]] ClosedMesh read() {
     if (t_.is_chain()) return std::move(mesh_);
-    mesh_.faces_.reserve(2 * index(mesh_.num_nodes()));
-    add_faces();
-    for (Site v = 0; v < t_.num_sites(); ++v) join_around(v);
+    make_room();
+    add_ghost_faces();
+    for (Site v = 0; v < t_.num_sites(); ++v) {
+      if (t_.degree(v) == 0) continue;
+      add_triangles(v);
+      join_to_smaller(v);
+      mesh_.edges_[index(v)] = edge(t_.first_arc(v));
+    }
     return std::move(mesh_);
   }
 
@@ -112,34 +117,66 @@ class ClosedMesh::ListReader {
   [[nodiscard]] HalfEdge& edge(Arc a) { return edge_of_[index(a.index)]; }
   // A boundary site's last arc has the outside on its left.
   [[nodiscard]] Arc last_arc(Site v) const { return t_.previous(t_.first_arc(v)); }
-
-  void add_faces() {
-    t_.for_each_triangle([&](Arc a) {
-      const std::int32_t f = mesh_.add_face(t_.left(a));
-      edge(a) = half_edge(f, 0);
-      edge(t_.previous(t_.reverse(a))) = half_edge(f, 1);
-      edge(t_.reverse(t_.next(a))) = half_edge(f, 2);
-    });
-    for (Site v = 0; v < t_.num_sites(); ++v) {
-      if (!t_.is_boundary(v) || t_.degree(v) == 0) continue;
-      const Arc a = last_arc(v);
-      edge(a) = half_edge(mesh_.add_face({v, t_.target(a), t_.num_sites()}), 0);
-    }
+  template <class F>
+  void for_each_boundary_site(F f) const {
+    for (Site v = 0; v < t_.num_sites(); ++v)
+      if (t_.is_boundary(v) && t_.degree(v) != 0) f(v);
   }
 
-  void join_around(Site v) {
-    Arc a = t_.degree(v) == 0 ? Arc{} : t_.first_arc(v);
+  // Every arc has a corner of a face on its left: of a triangle, or of a face to the
+  // ghost.
+  void make_room() {
+    std::int32_t num_ghosts = 0;
+    for_each_boundary_site([&](Site) { ++num_ghosts; });
+    num_triangles_ = (t_.num_arcs() - num_ghosts) / 3;
+    mesh_.num_faces_ = num_triangles_ + num_ghosts;
+    mesh_.faces_.resize(index(mesh_.num_faces_));
+  }
+
+  // Behind the triangles.
+  void add_ghost_faces() {
+    std::int32_t f = num_triangles_;
+    for_each_boundary_site([&](Site v) {
+      const Arc a = last_arc(v);
+      set(f, {v, t_.target(a), t_.num_sites()});
+      edge(a) = half_edge(f, 0);
+      mesh_.edges_[index(t_.num_sites())] = half_edge(f, 2);
+      ++f;
+    });
+    for_each_boundary_site([&](Site v) {
+      const Arc out = last_arc(v);
+      mesh_.join(next(edge(out)), previous(edge(last_arc(t_.target(out)))));
+    });
+  }
+  void set(std::int32_t f, const std::array<Site, 3>& node) {
+    mesh_.slot(f) = Face{node, {none, none, none}, 0};
+  }
+
+  // Those of which v is the smallest corner.
+  void add_triangles(Site v) {
+    Arc a = t_.first_arc(v);
     for (std::int32_t i = 0; i < t_.degree(v); ++i, a = t_.next(a)) {
-      if (v < t_.target(a)) mesh_.join(edge(a), edge(t_.reverse(a)));
+      const Arc after = t_.next(a);
+      if (t_.target(a) < v || t_.target(after) < v || !t_.has_left(a)) continue;
+      const std::int32_t f = next_triangle_++;
+      set(f, {v, t_.target(a), t_.target(after)});
+      edge(a) = half_edge(f, 0);
+      edge(t_.previous(t_.reverse(a))) = half_edge(f, 1);
+      edge(t_.reverse(after)) = half_edge(f, 2);
     }
-    if (!t_.is_boundary(v) || t_.degree(v) == 0) return;
-    const Arc out = last_arc(v);
-    mesh_.join(next(edge(out)), previous(edge(last_arc(t_.target(out)))));
+  }
+  // All faces at v and at smaller sites are there.
+  void join_to_smaller(Site v) {
+    Arc a = t_.first_arc(v);
+    for (std::int32_t i = 0; i < t_.degree(v); ++i, a = t_.next(a)) {
+      if (t_.target(a) < v) mesh_.join(edge(a), edge(t_.reverse(a)));
+    }
   }
 
   const Adjacency& t_;
   ClosedMesh mesh_;
-  Buffer<HalfEdge> edge_of_;
+  Buffer<HalfEdge> edge_of_;  // arc -> the face on its left
+  std::int32_t num_triangles_ = 0, next_triangle_ = 0;
 };
 
 ClosedMesh ClosedMesh::from(const Adjacency& t) { return ListReader(t).read(); }

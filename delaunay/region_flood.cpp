@@ -1,26 +1,31 @@
 #include "delaunay/region_flood.hpp"
 
+#include <algorithm>
+
 namespace delone::delaunay {
 
 namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// Marks all faces of the region of `first`.
-void flood(const ClosedMesh& mesh, std::int32_t first, FaceRegions& regions,
-           std::vector<std::int32_t>& open) {
-  regions.of_face[at(first)] = regions.count;
-  open.assign(1, first);
-  while (!open.empty()) {
-    const ClosedMesh::Face& face = mesh.face(open.back());
-    open.pop_back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (((face.constraints >> k) & 1) != 0) continue;
-      const std::int32_t other = ClosedMesh::face_of(face.link[k]);
-      if (regions.of_face[at(other)] != none) continue;
-      regions.of_face[at(other)] = regions.count;
-      open.push_back(other);
-    }
+// Disjoint sets of faces, as trees in which no parent is above its children: the root is
+// the first face of a set.
+std::int32_t find_root(Buffer<std::int32_t>& parent, std::int32_t f) {
+  while (parent[at(f)] != f) {
+    parent[at(f)] = parent[at(parent[at(f)])];
+    f = parent[at(f)];
+  }
+  return f;
+}
+
+void unite_with_neighbors(const ClosedMesh& mesh, std::int32_t f,
+                          Buffer<std::int32_t>& parent) {
+  const ClosedMesh::Face& face = mesh.face(f);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int32_t other = ClosedMesh::face_of(face.link[k]);
+    if (other > f || ((face.constraints >> k) & 1) != 0) continue;
+    const std::int32_t one = find_root(parent, f), two = find_root(parent, other);
+    parent[at(std::max(one, two))] = std::min(one, two);
   }
 }
 
@@ -49,14 +54,21 @@ std::vector<std::vector<Wall>> find_walls(const ClosedMesh& mesh,
 
 }  // namespace
 
+// Faces are taken in the order of memory, where most neighbours are near; a search from
+// face to face would wander through all of it.
 FaceRegions flood_regions(const ClosedMesh& mesh) {
   FaceRegions regions;
-  regions.of_face.resize(at(mesh.num_face_slots()), none);
-  std::vector<std::int32_t> open;
+  Buffer<std::int32_t>& parent = regions.of_face;
+  parent.resize(at(mesh.num_face_slots()));
   for (std::int32_t f = 0; f < mesh.num_face_slots(); ++f) {
-    if (mesh.is_free(f) || regions.of_face[at(f)] != none) continue;
-    flood(mesh, f, regions, open);
-    ++regions.count;
+    parent[at(f)] = mesh.is_free(f) ? none : f;
+    if (!mesh.is_free(f)) unite_with_neighbors(mesh, f, parent);
+  }
+  // A face's parent comes before it and has its region's number by then.
+  for (std::int32_t f = 0; f < mesh.num_face_slots(); ++f) {
+    const std::int32_t before = parent[at(f)];
+    if (before == none) continue;
+    regions.of_face[at(f)] = before == f ? regions.count++ : regions.of_face[at(before)];
   }
   return regions;
 }

@@ -16,7 +16,7 @@ struct FaceRegions {
   std::int32_t count = 0;
 };
 
-/// O(faces), without recursion.
+/// O(faces), nearly, without recursion.
 [[nodiscard]] FaceRegions flood_regions(const ClosedMesh& mesh);
 
 /// For every region the parity of the number of marked edges on the way to it from region
