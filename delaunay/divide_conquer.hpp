@@ -232,21 +232,21 @@ class DivideConquer : public RingMesh<Geometry> {
   std::int32_t lower_tangent(Facing f) {
     auto [l, r] = f;
     std::int32_t left = first(l), right = first(r);
-    for (bool moved = true; moved;) {
-      moved = false;
+    // The left end stands as soon as the right one does not move on after it.
+    for (bool has_moved = true; has_moved;) {
+      has_moved = false;
       while (left != none) {
         const std::int32_t to = previous(left);  // l -> its clockwise hull neighbour
         if (g_.orientation(l, r, target(to)) >= 0) break;
         l = target(to);
         left = to ^ 1;  // hull edge u -> l; hull edge leaving u
-        moved = true;
       }
       while (right != none) {
         const Site w = target(right);
         if (g_.orientation(l, r, w) >= 0) break;
         right = next(right ^ 1);
         r = w;
-        moved = true;
+        has_moved = true;
       }
     }
     const std::int32_t base = take_edge(l, r);
@@ -394,7 +394,7 @@ class DivideConquer : public RingMesh<Geometry> {
     const unsigned inside = bits_of(det > g_.circle_error());
     const unsigned outside = bits_of(det < -g_.circle_error());
     const unsigned asked = questions(above);
-    if ((above | below) == 15u && (asked & ~(inside | outside)) == 0) [[likely]]
+    if ((((above | below) ^ 15u) | (asked & ~(inside | outside))) == 0) [[likely]]
       return act(above, asked & inside);
     return g_.is_exact()
                ? decide_ties(a, b, s[0], s[1], s[2], s[3], above, inside, outside)
@@ -459,11 +459,19 @@ class DivideConquer : public RingMesh<Geometry> {
   };
 
   // Bits 0 and 1: the left and the right candidate have a rival; bit 2: both sides have a
-  // candidate.
+  // candidate. From a table of 3 bits for each of the 16 sets of candidates.
   [[gnu::always_inline]] static unsigned questions(unsigned above) {
-    return (above & above >> 1 & 1u) | (above >> 1 & above >> 2 & 2u) |
-           (above & above << 2 & 4u);
+    return static_cast<unsigned>(question_table >> 3 * above) & 7u;
   }
+  static constexpr std::uint64_t question_table = [] {
+    std::uint64_t table = 0;
+    for (unsigned above = 0; above < 16; ++above) {
+      const unsigned asked = (above & above >> 1 & 1u) | (above >> 1 & above >> 2 & 2u) |
+                             (above & above << 2 & 4u);
+      table |= std::uint64_t{asked} << 3 * above;
+    }
+    return table;
+  }();
   [[gnu::always_inline]] static Action act(unsigned above, unsigned yes) {
     if (yes & 1u) return drop_left;
     if (yes & 2u) return drop_right;

@@ -44,18 +44,30 @@ struct Transposed {
   return reinterpret_cast<Double4>(bits) == Double4{};
 }
 
+/// Bit i is the sign of lane i: set for negative numbers and -0.
+[[gnu::always_inline]] inline unsigned sign_bits_of(const Double4& v) {
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_pd(v));
+#elif defined(__SSE2__)
+  const __m128d low{v[0], v[1]}, high{v[2], v[3]};
+  return static_cast<unsigned>(_mm_movemask_pd(low) | _mm_movemask_pd(high) << 2);
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < 4; ++i) bits |= (__builtin_signbit(v[i]) != 0 ? 1u : 0u) << i;
+  return bits;
+#endif
+}
 /// Bit i is set if lane i holds.
 [[gnu::always_inline]] inline unsigned bits_of(const Mask4& mask) {
-#if defined(__AVX__)
-  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
-#elif defined(__SSE2__)
-  const __m128i low{mask[0], mask[1]}, high{mask[2], mask[3]};
-  return static_cast<unsigned>(_mm_movemask_pd(_mm_castsi128_pd(low)) |
-                               _mm_movemask_pd(_mm_castsi128_pd(high)) << 2);
-#else
-  return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) |
-                               (mask[3] & 8));
-#endif
+  return sign_bits_of(reinterpret_cast<Double4>(mask));
+}
+
+/// Without signs.
+[[gnu::always_inline]] inline Double4 magnitude(const Double4& v) {
+  constexpr std::int64_t all_but_sign = ~(std::int64_t{1} << 63);
+  return reinterpret_cast<Double4>(
+      reinterpret_cast<Mask4>(v) &
+      Mask4{all_but_sign, all_but_sign, all_but_sign, all_but_sign});
 }
 
 }  // namespace delone::delaunay

@@ -41,11 +41,10 @@ class RingMesh {
   static std::int32_t mask(bool holds) { return -static_cast<std::int32_t>(holds); }
 
   std::int32_t take_edge(Site from, Site to) {
-    while (((supply_->freed == none) & (supply_->unused == supply_->end)) != 0) ++supply_;
-    const std::int32_t freed = supply_->freed, unused = supply_->unused;
-    const std::int32_t is_new = mask(freed == none);
-    const std::int32_t e = choose(is_new, unused, freed);
-    supply_->unused = unused - 2 * is_new;
+    if (next_edge() == supply_->end) [[unlikely]]
+      skip_empty_supplies();
+    const std::int32_t e = next_edge(), is_new = mask(supply_->freed == none);
+    supply_->unused -= 2 * is_new;
     supply_->freed = next(e) | is_new;  // none where there was none
     edge(e).target = to;
     edge(e ^ 1).target = from;
@@ -104,6 +103,15 @@ class RingMesh {
   }
 
  private:
+  // A freed one, if there is any, or else the first that was never used, which may be the
+  // end.
+  [[nodiscard]] std::int32_t next_edge() const {
+    return choose(mask(supply_->freed == none), supply_->unused, supply_->freed);
+  }
+  void skip_empty_supplies() {
+    while (supply_->freed == none && supply_->unused == supply_->end) ++supply_;
+  }
+
   RingEdge* edges_;
   std::int32_t* first_;
   EdgeSupply* supply_;
