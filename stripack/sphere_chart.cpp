@@ -4,6 +4,13 @@
 
 namespace delone::stripack {
 
+Octant octant_on_cut(const Direction& d) noexcept {
+  const bool first =
+      d.x() > -d.y() || (d.x() == -d.y() && (d.x() > 0 || (d.x() == 0 && d.z() > 0)));
+  const bool is_x_lune = first ? d.x() >= d.y() && d.x() > 0 : d.x() <= d.y();
+  return {first ? 0u : 1u, is_x_lune ? 0u : 1u, d.z() >= 0 ? 1u : 0u};
+}
+
 namespace {
 
 bool is_pole(const Direction& d) { return d.x() == 0 && d.y() == 0; }

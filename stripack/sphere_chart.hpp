@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,11 +24,15 @@ namespace delone::stripack {
 struct Octant {
   std::uint32_t half, lune, is_north;
 };
+/// Of a direction on one of the cutting planes x = y and x = -y.
+[[nodiscard]] Octant octant_on_cut(const Direction& d) noexcept;
+/// Without a branch that depends on where the direction is: nothing foretells it.
 [[nodiscard]] inline Octant octant_of(const Direction& d) noexcept {
-  const bool first =
-      d.x() > -d.y() || (d.x() == -d.y() && (d.x() > 0 || (d.x() == 0 && d.z() > 0)));
-  const bool is_x_lune = first ? d.x() >= d.y() && d.x() > 0 : d.x() <= d.y();
-  return {first ? 0u : 1u, is_x_lune ? 0u : 1u, d.z() >= 0 ? 1u : 0u};
+  if (std::abs(d.x()) == std::abs(d.y())) [[unlikely]]
+    return octant_on_cut(d);
+  const bool is_first = d.x() > -d.y();
+  const bool is_x_lune = (d.x() > d.y()) == is_first;
+  return {is_first ? 0u : 1u, is_x_lune ? 0u : 1u, d.z() >= 0 ? 1u : 0u};
 }
 
 /// |X| of the lune: the larger of |x| and |y|.
@@ -39,13 +44,21 @@ struct Octant {
 /// (u, v) on the chart of the direction's own octant, rounded monotonically. All
 /// meridians meet in the poles: the north pole counts as the last of them, the south pole
 /// as the first, so that the order by (u, v) is that along any great circle through them.
-[[nodiscard]] inline std::array<double, 2> chart_of(const Direction& d) noexcept {
+[[nodiscard]] inline std::array<double, 2> chart_of(const Direction& d,
+                                                    const Octant& octant) noexcept {
   const double axis = axis_part(d), height = std::abs(d.z());
-  if (axis == 0) return d.z() > 0 ? std::array{1.0, 2.0} : std::array{-1.0, -2.0};
-  const bool is_x_lune = octant_of(d).lune == 0;
-  const double u = is_x_lune ? d.y() / d.x() : -d.x() / d.y();
-  const double v = height <= axis ? height / axis : 2 - axis / height;
-  return {u, d.z() < 0 ? -v : v};
+  if (axis == 0) [[unlikely]]
+    return d.z() > 0 ? std::array{1.0, 2.0} : std::array{-1.0, -2.0};
+  const double across[2] = {d.y(), -d.x()}, along[2] = {d.x(), d.y()};
+  const double u = across[octant.lune] / along[octant.lune];
+  const bool is_beyond = height > axis;
+  constexpr double first[2] = {0, 2}, slope[2] = {1, -1};
+  const double v = first[is_beyond] +
+                   slope[is_beyond] * (std::min(height, axis) / std::max(height, axis));
+  return {u, std::copysign(v, d.z())};
+}
+[[nodiscard]] inline std::array<double, 2> chart_of(const Direction& d) noexcept {
+  return chart_of(d, octant_of(d));
 }
 
 /// Exact order by u of directions of one half, and by v of those of one lune; used where

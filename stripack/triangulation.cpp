@@ -43,9 +43,10 @@ struct ChartedSphere {
 std::uint32_t sphere_key(const Direction& d) {
   const delaunay::CellScale u(-1, 1, 65536), v(0, 1, 65536);
   const Octant octant = octant_of(d);
-  const auto [s, t] = chart_of(d);
+  const auto [s, t] = chart_of(d, octant);
+  constexpr double first[2] = {2, 0};
   const std::uint32_t cell =
-      delaunay::hilbert_key(u.cell(s), v.cell(octant.is_north != 0 ? t : t + 2));
+      delaunay::hilbert_key(u.cell(s), v.cell(t + first[octant.is_north]));
   return (octant.half << 2 | octant.lune << 1 | octant.is_north) << 29 | cell >> 3;
 }
 
