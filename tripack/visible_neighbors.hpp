@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "delaunay/path_neighbor.hpp"
 #include "tripack/constrained_triangulation.hpp"
 
 /// The nodes nearest to a node where segments are walls: GETNP within constraints.
@@ -23,20 +24,16 @@
 /// their coordinates.
 ///
 /// Cost: a node that is a turning point is looked round from only when its turn comes,
-/// and no farther than needed. For k nodes in a set without segments O(k log k) expected;
-/// with segments at worst the number of turning points times what each of them sees.
+/// and no farther than needed. For k nodes in a set without segments O(k^1.5 log k)
+/// expected, for what is seen between two of them goes on through its own triangles; with
+/// segments at worst the number of turning points times what each of them sees.
 ///
 /// Sources: D. T. Lee, Proximity and reachability in the plane, thesis, University of
 /// Illinois (1978); the walk of a sector of sight over triangles: F. Bungiu, M. Hemmer,
 /// J. Hershberger, K. Huang, A. Kroeller, arXiv:1403.3905 (2014).
 namespace delone::tripack {
 
-struct PathNeighbor {
-  Node node = delaunay::none;
-  double distance = 0;         ///< the length of the path
-  Node from = delaunay::none;  ///< the last node where the path turns, or its beginning
-  friend bool operator==(const PathNeighbor&, const PathNeighbor&) = default;
-};
+using delaunay::PathNeighbor;
 
 /// The k nodes nearest to the position of `row`, that one left out; fewer if no more can
 /// be reached. Repeated rows are one node, and its first row is named. Throws Error for a
