@@ -40,7 +40,7 @@ TEST(ConstrainedList, OwnTrianglesHaveNoDefectHoweverTheyAreListed) {
   EXPECT_EQ(defect_of(t, triangles), "none");
   std::ranges::reverse(triangles);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    std::ranges::rotate(triangles[i], triangles[i].begin() + i % 3);
+    std::rotate(triangles[i].begin(), triangles[i].begin() + i % 3, triangles[i].end());
     if (i % 2 == 0) std::swap(triangles[i][0], triangles[i][1]);
   }
   EXPECT_EQ(defect_of(t, triangles), "none");
