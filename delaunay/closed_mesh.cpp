@@ -108,8 +108,8 @@ class ClosedMesh::ListReader {
       if (t_.degree(v) == 0) continue;
       add_triangles(v);
       join_to_smaller(v);
-      mesh_.edges_[index(v)] = edge(t_.first_arc(v));
     }
+    for (std::int32_t f = num_triangles_; f < mesh_.num_faces_; ++f) note_edges(f);
     return std::move(mesh_);
   }
 
@@ -140,7 +140,6 @@ class ClosedMesh::ListReader {
       const Arc a = last_arc(v);
       set(f, {v, t_.target(a), t_.num_sites()});
       edge(a) = half_edge(f, 0);
-      mesh_.edges_[index(t_.num_sites())] = half_edge(f, 2);
       ++f;
     });
     for_each_boundary_site([&](Site v) {
@@ -152,6 +151,12 @@ class ClosedMesh::ListReader {
     mesh_.slot(f) = Face{node, {none, none, none}, 0};
   }
 
+  // The last face of a node gives its edge.
+  void note_edges(std::int32_t f) {
+    for (std::size_t k = 0; k < 3; ++k)
+      mesh_.edges_[index(mesh_.face(f).node[k])] = half_edge(f, k);
+  }
+
   // Those of which v is the smallest corner.
   void add_triangles(Site v) {
     Arc a = t_.first_arc(v);
@@ -160,6 +165,7 @@ class ClosedMesh::ListReader {
       if (t_.target(a) < v || t_.target(after) < v || !t_.has_left(a)) continue;
       const std::int32_t f = next_triangle_++;
       set(f, {v, t_.target(a), t_.target(after)});
+      note_edges(f);
       edge(a) = half_edge(f, 0);
       edge(t_.previous(t_.reverse(a))) = half_edge(f, 1);
       edge(t_.reverse(after)) = half_edge(f, 2);
