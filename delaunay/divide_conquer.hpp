@@ -423,9 +423,9 @@ class DivideConquer : public RingMesh<Geometry> {
   }
 
   /// The answers to the three questions if all were ties: the lowest of the four points,
-  /// by u, is outside of the circle of the others (tripack::break_tie). The order of four
-  /// points on a circle is known: a and b, then around a from b the candidates of a, the
-  /// reverse for those of b, and those of b before those of a.
+  /// by u, is outside of the circle of the others (tripack::in_circle_perturbed). The
+  /// order of four points on a circle is known: a and b, then around a from b the
+  /// candidates of a, the reverse for those of b, and those of b before those of a.
   unsigned broken_ties(Site a, Site b, const Site (&s)[4]) const {
     const Site low_a0 = lower_u(a, s[0]), low_b1 = lower_u(b, s[1]);
     const Site low_b2 = lower_u(b, s[2]), low_a3 = lower_u(a, s[3]);

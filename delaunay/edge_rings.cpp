@@ -92,10 +92,11 @@ class FewWalks {
 // would be read anew after every store.
 class ChunkWriter {
  public:
-  ChunkWriter(RingEdge* edges, const std::int32_t* first, Adjacency::Lists& lists,
-              Site begin, std::int32_t first_arc, std::int32_t last_arc)
-      : edges_(edges),
-        first_(first),
+  ChunkWriter(EdgeRings& rings, Adjacency::Lists& lists, Site begin,
+              std::int32_t first_arc, std::int32_t last_arc)
+      : edges_(rings.edges.data()),
+        num_edges_(rings.edges.size()),
+        first_(rings.first.data()),
         lists_(lists),
         begin_(begin),
         first_arc_(first_arc),
@@ -105,7 +106,7 @@ class ChunkWriter {
   void write_lists(Site end) {
     Site v = begin_;
     for (; v + FewWalks::num_walks <= end; v += FewWalks::num_walks) {
-      fetch_ahead(v, end);
+      fetch_ahead(v);
       write_few(v);
     }
     for (; v < end; ++v) write_any(v);
@@ -180,15 +181,16 @@ class ChunkWriter {
 
   // The half-edges of a site lie anywhere in its block, which is fetched as a whole, a
   // piece with every few sites of the block before.
-  void fetch_ahead(Site v, Site end) const {
+  void fetch_ahead(Site v) const {
     constexpr std::size_t line = 64 / sizeof(RingEdge), walks = FewWalks::num_walks;
     const std::size_t first = 6 * (at(v) + at(ring_block_size));
-    if (first + 6 * walks > 6 * at(end)) return;
+    if (first + 6 * walks > num_edges_) return;
     for (std::size_t e = first; e < first + 6 * walks; e += line)
       __builtin_prefetch(&edges_[e]);
   }
 
   RingEdge* edges_;
+  std::size_t num_edges_;
   const std::int32_t* first_;
   Adjacency::Lists& lists_;
   Site begin_;
@@ -262,8 +264,7 @@ class RingLists {
 
   void write_chunk(std::int32_t k) {
     const Site begin = k * chunk_size, end = std::min(num_sites_, begin + chunk_size);
-    ChunkWriter writer(rings_.edges.data(), rings_.first.data(), lists_, begin,
-                       begins_[at(k)], begins_[at(k) + 1]);
+    ChunkWriter writer(rings_, lists_, begin, begins_[at(k)], begins_[at(k) + 1]);
     writer.write_lists(end);
     far_arcs_[at(k)] = writer.write_reverses();
   }

@@ -4,10 +4,12 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "delaunay/adjacency.hpp"
 #include "delaunay/closed_mesh.hpp"
+#include "delaunay/options.hpp"
 
 namespace delone::delaunay {
 
@@ -16,6 +18,22 @@ struct PartialTriangulation {
   Adjacency adjacency;
   std::vector<Site> sites;
 };
+
+/// By the room's Triangulation of the points `position(site)`. One thread, for it is a
+/// part of an edit or of an insertion.
+template <class Triangulation, class Position>
+[[nodiscard]] PartialTriangulation triangulate_part(std::span<const Site> sites,
+                                                    Position position) {
+  std::vector<std::decay_t<decltype(position(sites[0]))>> points;
+  points.reserve(sites.size());
+  for (const Site v : sites) points.push_back(position(v));
+  const Triangulation t(points, RunOptions{.num_threads = 1, .progress = {}});
+  PartialTriangulation part{t.adjacency(), {}};
+  part.sites.reserve(sites.size());
+  for (const Node row : t.rows())
+    part.sites.push_back(sites[static_cast<std::size_t>(row)]);
+  return part;
+}
 
 /// What segments need to know about positions. For sites a, b, c, d:
 ///   orientation(a, b, c)  +1 left of a -> b, -1 right, 0 on its line; exact

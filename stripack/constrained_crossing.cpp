@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "stripack/distance_order.hpp"
+
 namespace delone::stripack {
 
 namespace {
@@ -28,11 +30,6 @@ double height(Vector p, Vector a, Vector b) {
   const Vector from_a = difference(p, a), from_b = difference(p, b);
   const Vector& near = length(from_a) < length(from_b) ? from_a : from_b;
   return dot(n, near) / length(n);
-}
-
-double squared_chord(const Direction& a, const Direction& b) {
-  const Vector d = difference(vector(a), vector(b));
-  return dot(d, d);
 }
 
 // Are both halves of a-b shorter if it goes through p?

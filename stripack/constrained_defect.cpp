@@ -3,31 +3,20 @@
 #include <vector>
 
 #include "delaunay/constrained_check.hpp"
-#include "stripack/great_circle.hpp"
-#include "stripack/predicates.hpp"
+#include "stripack/constrained_sites.hpp"
 
 namespace delone::stripack {
 
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Positions of sites, as delaunay/defect.hpp and constrained_check.hpp want them.
-class Sphere {
+/// What delaunay/constrained_check.hpp wants.
+class Sphere : public ConstrainedSites {
  public:
   static constexpr const char* segment_name = "arc";
 
-  explicit Sphere(const ConstrainedTriangulation& t) : t_(t) {}
-  [[nodiscard]] const Direction& point(Site v) const { return t_.points()[at(v)]; }
-  [[nodiscard]] Node row(Site v) const { return t_.rows()[at(v)]; }
+  using ConstrainedSites::ConstrainedSites;
+
   [[nodiscard]] Site ghost() const { return t_.ghost(); }
-  [[nodiscard]] int orientation(Site v, Site w, Site x) const {
-    return stripack::orientation(point(v), point(w), point(x));
-  }
-  [[nodiscard]] bool is_ahead(Site v, Site w, Site x) const {
-    return is_inside_arc(point(v), point(w), point(x)) ||
-           is_inside_arc(point(v), point(x), point(w));
-  }
   [[nodiscard]] bool is_violated(Site v, Site w, Site x, Site y) const {
     return in_circle_perturbed(point(v), point(w), point(x), point(y)) > 0;
   }
@@ -37,9 +26,6 @@ class Sphere {
     const Direction &p = t_.point(path[k - 1]), &q = t_.point(path[k]);
     return is_inside_arc(a, b, q) && (k == 1 || is_inside_arc(p, b, q));
   }
-
- private:
-  const ConstrainedTriangulation& t_;
 };
 
 }  // namespace

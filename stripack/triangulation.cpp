@@ -13,6 +13,7 @@
 #include "delaunay/instruction_set.hpp"
 #include "delaunay/site_order.hpp"
 #include "delaunay/site_queries.hpp"
+#include "stripack/distance_order.hpp"
 #include "stripack/great_circle.hpp"
 #include "stripack/predicates.hpp"
 #include "stripack/sphere_blocks.hpp"
@@ -110,11 +111,6 @@ Adjacency build(std::span<const Direction> points, const std::vector<Site>& firs
     if (!delaunay::find_euler_defect(result)) return result;
   }
   return build_by_insertion(points, first, run.progress);
-}
-
-double squared_chord(const Direction& a, const Direction& b) {
-  const double dx = a.x() - b.x(), dy = a.y() - b.y(), dz = a.z() - b.z();
-  return dx * dx + dy * dy + dz * dz;
 }
 
 double squared_sum(const Direction& a, const Direction& b) {

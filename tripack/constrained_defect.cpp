@@ -3,30 +3,20 @@
 #include <vector>
 
 #include "delaunay/constrained_check.hpp"
-#include "tripack/predicates.hpp"
+#include "tripack/constrained_sites.hpp"
 
 namespace delone::tripack {
 
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Positions of sites, as delaunay/defect.hpp and constrained_check.hpp want them.
-class Plane {
+/// What delaunay/constrained_check.hpp wants.
+class Plane : public ConstrainedSites {
  public:
   static constexpr const char* segment_name = "segment";
 
-  explicit Plane(const ConstrainedTriangulation& t) : t_(t) {}
-  [[nodiscard]] Point2 point(Site v) const { return t_.points()[at(v)]; }
-  [[nodiscard]] Node row(Site v) const { return t_.rows()[at(v)]; }
+  using ConstrainedSites::ConstrainedSites;
+
   [[nodiscard]] Site ghost() const { return t_.infinity(); }
-  [[nodiscard]] int orientation(Site v, Site w, Site x) const {
-    return tripack::orientation(point(v), point(w), point(x));
-  }
-  [[nodiscard]] bool is_ahead(Site v, Site w, Site x) const {
-    return lexicographically_less(point(v), point(w)) ==
-           lexicographically_less(point(v), point(x));
-  }
   [[nodiscard]] bool is_violated(Site v, Site w, Site x, Site y) const {
     return in_circle_perturbed(point(v), point(w), point(x), point(y)) > 0;
   }
@@ -36,9 +26,6 @@ class Plane {
     return tripack::orientation(a, b, q) == 0 &&
            lexicographically_less(p, q) == lexicographically_less(a, b);
   }
-
- private:
-  const ConstrainedTriangulation& t_;
 };
 
 }  // namespace

@@ -33,7 +33,6 @@ class SitePlane {
     return (certain != 0 ? certain : in_circle_perturbed(at(a), at(b), at(c), at(d))) > 0;
   }
 
-  /// One thread, for it is a part of an edit or of an insertion.
   [[nodiscard]] delaunay::PartialTriangulation triangulate(
       std::span<const Site> sites) const;
 

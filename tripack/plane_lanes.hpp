@@ -3,7 +3,6 @@
 #include "delaunay/lanes.hpp"
 #include "tripack/point.hpp"
 #include "tripack/predicate_filters.hpp"
-#include "tripack/predicate_rungs.hpp"
 #include "tripack/predicates.hpp"
 
 namespace delone::tripack {

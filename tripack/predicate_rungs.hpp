@@ -22,7 +22,4 @@ namespace delone::tripack {
 /// Exact for all finite doubles.
 [[nodiscard]] int in_circle_exact(Point2 a, Point2 b, Point2 c, Point2 p) noexcept;
 
-/// The sign that the perturbation gives to four cocircular points.
-[[nodiscard]] int break_tie(Point2 a, Point2 b, Point2 c, Point2 p) noexcept;
-
 }  // namespace delone::tripack

@@ -94,6 +94,8 @@ int in_circle(Point2 a, Point2 b, Point2 c, Point2 p) noexcept {
   return in_circle_exact(a, b, c, p);
 }
 
+namespace {
+
 // The sign of the determinant with rows (x, y, x^2 + y^2, 1) once the third entry of the
 // point of rank i grows by e_i, e_0 >> e_1 >> ..., each infinitely smaller than the one
 // before. The first decides whose cofactor, an orientation of the other three, is not
@@ -106,6 +108,8 @@ int break_tie(Point2 a, Point2 b, Point2 c, Point2 p) noexcept {
   if (is_before(p, corner[first])) return orientation(b, a, c);
   return orientation(corner[first + 1], corner[first + 2], p);
 }
+
+}  // namespace
 
 int in_circle_perturbed(Point2 a, Point2 b, Point2 c, Point2 p) noexcept {
   const int exact = in_circle(a, b, c, p);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <tuple>
 
 #include "delaunay/visible_search.hpp"
 #include "tripack/distance_order.hpp"
@@ -34,8 +33,7 @@ class PlaneSight {
     return std::hypot(beyond(p.x, q.x, r.x), beyond(p.y, q.y, r.y)) * (1 - 0x1p-50);
   }
   [[nodiscard]] bool is_before(Site a, Site b) const {
-    const Point2 p = point(a), q = point(b);
-    return std::tuple(p.x, p.y) < std::tuple(q.x, q.y);
+    return lexicographically_less(point(a), point(b));
   }
 
  private:
