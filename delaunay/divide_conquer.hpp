@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "delaunay/choose.hpp"
 #include "delaunay/four_corners.hpp"
 #include "delaunay/lanes.hpp"
 #include "delaunay/ring_mesh.hpp"
 #include "delaunay/site_order.hpp"
+#include "delaunay/zip_step.hpp"
 
 namespace delone::delaunay {
 
@@ -35,7 +37,7 @@ template <class Geometry>
 class DivideConquer : public RingMesh<Geometry> {
  public:
   DivideConquer(const Geometry& geometry, RingArrays arrays, EdgeSupply* supply)
-      : Mesh(arrays, supply), g_(geometry) {}
+      : Mesh(arrays, supply), g_(geometry), step_(geometry) {}
 
   /// The sites begin .. end - 1.
   Extremes build(BlockKeys keys, Site begin, Site end) {
@@ -90,7 +92,6 @@ class DivideConquer : public RingMesh<Geometry> {
 
  private:
   using Mesh = RingMesh<Geometry>;
-  using Mesh::choose, Mesh::mask;
   using Mesh::connect_alone, Mesh::pair, Mesh::put_before, Mesh::put_between;
   using Mesh::first, Mesh::next, Mesh::origin, Mesh::previous, Mesh::target;
   using Mesh::put_into_wedge, Mesh::remove, Mesh::ring, Mesh::set_alone, Mesh::take_edge;
@@ -111,12 +112,10 @@ class DivideConquer : public RingMesh<Geometry> {
     return {true, top ^ 1};
   }
 
-  // Choices that nothing foretells, made without a branch.
-
-  Site lower_u(Site s, Site t) const { return choose(mask(g_.less_u(t, s)), t, s); }
-  Site higher_u(Site s, Site t) const { return choose(mask(g_.less_u(s, t)), t, s); }
-  Site lower_v(Site s, Site t) const { return choose(mask(g_.less_v(t, s)), t, s); }
-  Site higher_v(Site s, Site t) const { return choose(mask(g_.less_v(s, t)), t, s); }
+  Site lower_u(Site s, Site t) const { return delaunay::lower_u(g_, s, t); }
+  Site higher_u(Site s, Site t) const { return choose(g_.less_u(s, t), t, s); }
+  Site lower_v(Site s, Site t) const { return choose(g_.less_v(t, s), t, s); }
+  Site higher_v(Site s, Site t) const { return choose(g_.less_v(s, t), t, s); }
 
   // Leaves.
 
@@ -171,13 +170,20 @@ class DivideConquer : public RingMesh<Geometry> {
 
   // Which of a, a + 1, a + 2, a + 3 are the corners p0, p1, p2, p3.
   FourCorners four_corners(Site a) const {
-    const int s[4] = {g_.orientation(a + 1, a + 2, a + 3),
-                      g_.orientation(a, a + 2, a + 3), g_.orientation(a, a + 1, a + 3),
-                      g_.orientation(a, a + 1, a + 2)};
-    if (s[0] * s[1] * s[2] * s[3] == 0) [[unlikely]]
-      return {};
-    return four_corner_table[(s[0] > 0 ? 1u : 0u) | (s[1] > 0 ? 2u : 0u) |
-                             (s[2] > 0 ? 4u : 0u) | (s[3] > 0 ? 8u : 0u)];
+    const Site p[4] = {a + 1, a, a, a}, q[4] = {a + 2, a + 2, a + 1, a + 1},
+               r[4] = {a + 3, a + 3, a + 3, a + 2};
+    const Double4 cross = g_.lanes(g_.corners(p), g_.corners(q), g_.corners(r)).cross;
+    unsigned left = bits_of(cross > g_.cross_error());
+    const unsigned right = bits_of(cross < -g_.cross_error());
+    if ((left | right) != 15u) [[unlikely]] {
+      for (unsigned i = 0; i < 4; ++i) {
+        if (((left | right) >> i & 1u) != 0) continue;
+        const int side = g_.orientation(p[i], q[i], r[i]);
+        if (side == 0) return {};
+        left |= (side > 0 ? 1u : 0u) << i;
+      }
+    }
+    return four_corner_table[left];
   }
 
   Extremes build_four(Site a, const FourCorners& four) {
@@ -186,10 +192,22 @@ class DivideConquer : public RingMesh<Geometry> {
     if (four.shape == FourShape::triangle) {
       build_star(p[0], p[1], p[2], p[3]);
     } else {
-      const unsigned turn = g_.in_circle(p[0], p[1], p[2], p[3]) > 0 ? 1 : 0;
+      const unsigned turn = is_in_circle(p[0], p[1], p[2], p[3]) ? 1 : 0;
       build_quad(p[turn], p[turn + 1], p[turn + 2], p[(turn + 3) % 4]);
     }
     return with(with(with({a, a, a, a}, a + 1), a + 2), a + 3);
+  }
+  // Of the corners of a convex quadrilateral: is the last one inside the circle of the
+  // others? A tie is broken as in broken_ties.
+  [[nodiscard]] bool is_in_circle(Site p, Site q, Site r, Site s) const {
+    const auto lanes = g_.lanes(g_.corner(p), g_.corner(q), {r, s, r, s});
+    const double det = lanes.dot[0] * lanes.cross[1] - lanes.dot[1] * lanes.cross[0];
+    const double error = g_.circle_error()[0];
+    const bool is_certain = (bits_of(lanes.cross > g_.cross_error()) & 3u) == 3u;
+    if (is_certain && (det > error || det < -error)) [[likely]]
+      return det > 0;
+    if (is_certain && g_.is_exact()) return g_.less_u(lower_u(p, r), lower_u(q, s));
+    return g_.in_circle(p, q, r, s) > 0;
   }
   // The quadrilateral pqrs with the diagonal pr.
   void build_quad(Site p, Site q, Site r, Site s) {
@@ -220,8 +238,7 @@ class DivideConquer : public RingMesh<Geometry> {
   };
   Facing facing(const Extremes& p, const Extremes& q) const {
     const auto prefer = [](bool holds, Facing f, Facing g) {
-      return Facing{choose(mask(holds), f.left, g.left),
-                    choose(mask(holds), f.right, g.right)};
+      return Facing{choose(holds, f.left, g.left), choose(holds, f.right, g.right)};
     };
     Facing f{p.low_v, q.high_v};
     f = prefer(g_.less_u(q.high_u, p.low_u), {p.low_u, q.high_u}, f);
@@ -257,8 +274,6 @@ class DivideConquer : public RingMesh<Geometry> {
     return base;
   }
 
-  enum Action : unsigned { done, take_left, take_right, drop_left, drop_right };
-
   /// Fills the gap above the base a -> b between a block on its left and one on its
   /// right: of the circles through a and b and a site of either block above the base, the
   /// one that holds no other site makes a triangle, whose third edge is the next base.
@@ -271,8 +286,8 @@ class DivideConquer : public RingMesh<Geometry> {
     for (;;) {
       const std::int32_t c_next = next(c), d_next = previous(d);
       const Site s[4] = {target(c), target(c_next), target(d), target(d_next)};
-      const Action action = decide(at_a, at_b, a, b, s);
-      if (action == take_right) {
+      const ZipAction action = step_.decide(at_a, at_b, a, b, s);
+      if (action == ZipAction::take_right) {
         if (Geometry::can_close && s[0] == s[2]) break;
         const std::int32_t e = take_edge(a, s[2]);
         const std::int32_t to_b = d ^ 1;
@@ -282,7 +297,7 @@ class DivideConquer : public RingMesh<Geometry> {
         base = e;
         b = s[2];
         at_b = g_.corner(b);
-      } else if (action == take_left) {
+      } else if (action == ZipAction::take_left) {
         if (Geometry::can_close && s[0] == s[2]) break;
         const std::int32_t e = take_edge(s[0], b);
         const std::int32_t to_a = c ^ 1;
@@ -292,10 +307,10 @@ class DivideConquer : public RingMesh<Geometry> {
         base = e;
         a = s[0];
         at_a = g_.corner(a);
-      } else if (action == drop_left) {
+      } else if (action == ZipAction::drop_left) {
         remove(c);
         c = c_next;
-      } else if (action == drop_right) {
+      } else if (action == ZipAction::drop_right) {
         remove(d);
         d = d_next;
       } else {
@@ -384,120 +399,8 @@ class DivideConquer : public RingMesh<Geometry> {
     return g_.orientation(a, q, b) < 0 || g_.orientation(a, b, p) < 0;
   }
 
-  [[gnu::always_inline]] Action decide(const typename Geometry::Corner& at_a,
-                                       const typename Geometry::Corner& at_b, Site a,
-                                       Site b, const Site (&s)[4]) const {
-    const auto lanes = g_.lanes(at_a, at_b, s);
-    const unsigned above = bits_of(lanes.cross > g_.cross_error());
-    const unsigned below = bits_of((lanes.cross <= -g_.cross_error()) | lanes.is_end);
-    const Double4 det = determinants(lanes.cross, lanes.dot);
-    const unsigned inside = bits_of(det > g_.circle_error());
-    const unsigned outside = bits_of(det < -g_.circle_error());
-    const unsigned asked = questions(above);
-    if ((((above | below) ^ 15u) | (asked & ~(inside | outside))) == 0) [[likely]]
-      return act(above, asked & inside);
-    return g_.is_exact()
-               ? decide_ties(a, b, s[0], s[1], s[2], s[3], above, inside, outside)
-               : decide_closely(a, b, s[0], s[1], s[2], s[3]);
-  }
-
-  /// Of candidates 0 and 1, 2 and 3, 0 and 2, in lanes 0 to 2: > 0 where the second is
-  /// inside the circle through the base and the first.
-  [[gnu::always_inline]] static Double4 determinants(const Double4& cross,
-                                                     const Double4& dot) {
-    return of_first(dot) * of_second(cross) - of_second(dot) * of_first(cross);
-  }
-  [[gnu::always_inline]] static Double4 of_first(const Double4& v) {
-    return __builtin_shufflevector(v, v, 0, 2, 0, 0);
-  }
-  [[gnu::always_inline]] static Double4 of_second(const Double4& v) {
-    return __builtin_shufflevector(v, v, 1, 3, 2, 2);
-  }
-
-  /// Where no sign has an error: what is neither inside nor outside is a tie.
-  [[gnu::noinline]] Action decide_ties(Site a, Site b, Site s0, Site s1, Site s2, Site s3,
-                                       unsigned above, unsigned inside,
-                                       unsigned outside) const {
-    return act(above, questions(above) &
-                          (inside | (broken_ties(a, b, {s0, s1, s2, s3}) & ~outside)));
-  }
-
-  /// The answers to the three questions if all were ties: the lowest of the four points,
-  /// by u, is outside of the circle of the others (tripack::in_circle_perturbed). The
-  /// order of four points on a circle is known: a and b, then around a from b the
-  /// candidates of a, the reverse for those of b, and those of b before those of a.
-  unsigned broken_ties(Site a, Site b, const Site (&s)[4]) const {
-    const Site low_a0 = lower_u(a, s[0]), low_b1 = lower_u(b, s[1]);
-    const Site low_b2 = lower_u(b, s[2]), low_a3 = lower_u(a, s[3]);
-    const Site low_b0 = lower_u(b, s[0]), low_a2 = lower_u(a, s[2]);
-    return static_cast<unsigned>(g_.less_u(low_a0, low_b1)) |
-           static_cast<unsigned>(g_.less_u(low_b2, low_a3)) << 1 |
-           static_cast<unsigned>(g_.less_u(low_b0, low_a2)) << 2;
-  }
-
-  /// The same with errors of these four candidates instead of the worst ones in the
-  /// block, and exactly where they leave a sign open.
-  [[gnu::noinline]] Action decide_closely(Site a, Site b, Site s0, Site s1, Site s2,
-                                          Site s3) const {
-    const Site s[4] = {s0, s1, s2, s3};
-    const auto lanes = g_.lanes(g_.corner(a), g_.corner(b), s);
-    const Double4 size = g_.sizes(a, b, lanes);
-    const Double4 cross_error = g_.cross_error(size);
-    const Double4 det = determinants(lanes.cross, lanes.dot);
-    const Double4 error = g_.circle_error(of_first(size), of_second(size));
-    const Verdict v{bits_of(lanes.cross > cross_error),
-                    bits_of((lanes.cross <= -cross_error) | lanes.is_end),
-                    bits_of(det > error), bits_of(det < -error),
-                    bits_of(error == Double4{})};
-    return decide_exactly(a, b, s, v);
-  }
-
-  /// Signs of a step, a bit for each: of the four crosses, and of the three determinants.
-  struct Verdict {
-    unsigned above, below, inside, outside;
-    unsigned is_exact;  // determinants that have no error: neither sign is a tie
-  };
-
-  // Bits 0 and 1: the left and the right candidate have a rival; bit 2: both sides have a
-  // candidate. From a table of 3 bits for each of the 16 sets of candidates.
-  [[gnu::always_inline]] static unsigned questions(unsigned above) {
-    return static_cast<unsigned>(question_table >> 3 * above) & 7u;
-  }
-  static constexpr std::uint64_t question_table = [] {
-    std::uint64_t table = 0;
-    for (unsigned above = 0; above < 16; ++above) {
-      const unsigned asked = (above & above >> 1 & 1u) | (above >> 1 & above >> 2 & 2u) |
-                             (above & above << 2 & 4u);
-      table |= std::uint64_t{asked} << 3 * above;
-    }
-    return table;
-  }();
-  [[gnu::always_inline]] static Action act(unsigned above, unsigned yes) {
-    if (yes & 1u) return drop_left;
-    if (yes & 2u) return drop_right;
-    if ((above & 5u) == 0) return done;
-    return (yes & 4u) != 0 || (above & 1u) == 0 ? take_right : take_left;
-  }
-
-  [[gnu::noinline]] Action decide_exactly(Site a, Site b, const Site (&s)[4],
-                                          Verdict v) const {
-    for (unsigned i = 0; i < 4; ++i) {
-      if (((v.above | v.below) >> i & 1u) == 0 && g_.orientation(a, b, s[i]) > 0)
-        v.above |= 1u << i;
-    }
-    constexpr unsigned x[3] = {0, 2, 0}, y[3] = {1, 3, 2};
-    const unsigned asked = questions(v.above);
-    for (unsigned i = 0; i < 3; ++i) {
-      if ((asked >> i & 1u) == 0 || ((v.inside | v.outside | v.is_exact) >> i & 1u) != 0)
-        continue;
-      if (g_.in_circle(a, b, s[x[i]], s[y[i]]) > 0) v.inside |= 1u << i;
-    }
-    if ((asked & v.is_exact) != 0)
-      v.inside |= broken_ties(a, b, s) & v.is_exact & ~v.outside;
-    return act(v.above, asked & v.inside);
-  }
-
   const Geometry& g_;
+  ZipStep<Geometry> step_;
 };
 
 }  // namespace delone::delaunay

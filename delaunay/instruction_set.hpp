@@ -27,6 +27,18 @@ struct Portable {
       const Double4& e, const Double4& f) {
     return a * b + c * d + e * f;
   }
+  /// What rounding took from p = a b, by splitting the factors (Veltkamp).
+  [[gnu::always_inline]] static Double4 product_error(const Double4& a, const Double4& b,
+                                                      const Double4& p) {
+    const Double4 a1 = upper_half(a), a2 = a - a1, b1 = upper_half(b), b2 = b - b1;
+    return a2 * b2 - (((p - a1 * b1) - a2 * b1) - a1 * b2);
+  }
+
+ private:
+  [[gnu::always_inline]] static Double4 upper_half(const Double4& a) {
+    const Double4 c = 134217729.0 * a;
+    return c - (c - a);
+  }
 };
 
 /// AVX2 and fused multiply-add.
@@ -54,6 +66,10 @@ struct Avx2 {
       const Double4& a, const Double4& b, const Double4& c, const Double4& d,
       const Double4& e, const Double4& f) {
     return _mm256_fmadd_pd(a, b, _mm256_fmadd_pd(c, d, e * f));
+  }
+  [[gnu::always_inline]] static Double4 product_error(const Double4& a, const Double4& b,
+                                                      const Double4& p) {
+    return _mm256_fmsub_pd(a, b, p);
   }
 #endif
 };

@@ -35,7 +35,11 @@ struct BlockWorker {
   static Extremes build(const Points& points, RingArrays arrays, EdgeSupply& supply,
                         BlockKeys keys, Site begin, Site end) {
     const Geometry geometry(points, begin, end);
-    return DivideConquer(geometry, arrays, &supply).build(keys, begin, end);
+    EdgeSupply own = supply;  // two supplies of two threads may share a cache line
+    const Extremes extremes =
+        DivideConquer(geometry, arrays, &own).build(keys, begin, end);
+    supply = own;
+    return extremes;
   }
   static typename BlockWork<Points>::Merged merge(const Points& points, RingArrays arrays,
                                                   EdgeSupply* supplies, const Extremes& p,

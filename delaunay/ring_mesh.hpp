@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "delaunay/choose.hpp"
 #include "delaunay/edge_rings.hpp"
 
 namespace delone::delaunay {
@@ -34,12 +35,6 @@ class RingMesh {
   Site target(std::int32_t e) const { return edge(e).target; }
   std::int32_t& first(Site s) const { return first_[at(s)]; }
 
-  static std::int32_t choose(std::int32_t mask, std::int32_t a, std::int32_t b) {
-    return (mask & a) | (~mask & b);
-  }
-  /// All bits, or none.
-  static std::int32_t mask(bool holds) { return -static_cast<std::int32_t>(holds); }
-
   std::int32_t take_edge(Site from, Site to) {
     if (next_edge() == supply_->end) [[unlikely]]
       skip_empty_supplies();
@@ -70,7 +65,7 @@ class RingMesh {
     edge(after).previous = before;
     edge(before).next = after;
     const std::int32_t left = after | mask(after == e);
-    first(from) = choose(mask(first(from) == e), left, first(from));
+    first(from) = choose(first(from) == e, left, first(from));
   }
   void remove(std::int32_t e) {
     unlink(e);
@@ -106,7 +101,7 @@ class RingMesh {
   // A freed one, if there is any, or else the first that was never used, which may be the
   // end.
   [[nodiscard]] std::int32_t next_edge() const {
-    return choose(mask(supply_->freed == none), supply_->unused, supply_->freed);
+    return choose(supply_->freed == none, supply_->unused, supply_->freed);
   }
   void skip_empty_supplies() {
     while (supply_->freed == none && supply_->unused == supply_->end) ++supply_;

@@ -33,6 +33,9 @@ namespace delone::stripack {
 [[nodiscard]] int in_circle_exact(const Direction& a, const Direction& b,
                                   const Direction& c, const Direction& p) noexcept;
 
+/// Exact sign of ux vy - uy vx, for coordinates of directions.
+[[nodiscard]] int cross_sign(double ux, double uy, double vx, double vy) noexcept;
+
 /// The sign that the perturbation gives to four cocircular directions.
 [[nodiscard]] int break_tie(const Direction& a, const Direction& b, const Direction& c,
                             const Direction& p) noexcept;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "delaunay/big_integer.hpp"
+#include "delaunay/double_double.hpp"
 #include "delaunay/signed_root.hpp"
 #include "delaunay/wide_integer.hpp"
 #include "stripack/predicate_rungs.hpp"
@@ -263,22 +264,28 @@ int in_circle(const Direction& a, const Direction& b, const Direction& c,
   return in_circle_exact(a, b, c, p);
 }
 
+// Rounding is monotonic, so different rounded products tell; where they agree, what was
+// rounded off does, unless it may have underflowed.
+int cross_sign(double ux, double uy, double vx, double vy) noexcept {
+  const auto [left, left_rest] = delaunay::two_product(ux, vy);
+  const auto [right, right_rest] = delaunay::two_product(uy, vx);
+  if (left != right) return left > right ? 1 : -1;
+  if (std::abs(left) > 0x1p-900) {
+    return static_cast<int>(left_rest > right_rest) -
+           static_cast<int>(left_rest < right_rest);
+  }
+  if ((ux == 0 || vy == 0) && (uy == 0 || vx == 0)) return 0;
+  const int exponent = delaunay::common_exponent(std::array{ux, uy, vx, vy});
+  const auto integer = [exponent](double v) { return Coordinate(v, exponent); };
+  return (integer(ux) * integer(vy) - integer(uy) * integer(vx)).sign();
+}
+
 namespace {
 
 bool is_before(const Direction& a, const Direction& b) {
   if (a.x() != b.x()) return a.x() < b.x();
   if (a.y() != b.y()) return a.y() < b.y();
   return a.z() < b.z();
-}
-
-// Sign of ux * vy - uy * vx. Rounding is monotonic, so different rounded products tell.
-int cross_sign(double ux, double uy, double vx, double vy) {
-  const double left = ux * vy, right = uy * vx;
-  if (left != right) return left > right ? 1 : -1;
-  if ((ux == 0 || vy == 0) && (uy == 0 || vx == 0)) return 0;
-  const int exponent = delaunay::common_exponent(std::array{ux, uy, vx, vy});
-  const auto integer = [exponent](double v) { return Coordinate(v, exponent); };
-  return (integer(ux) * integer(vy) - integer(uy) * integer(vx)).sign();
 }
 
 struct Coordinates2 {

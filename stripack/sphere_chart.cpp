@@ -1,6 +1,6 @@
 #include "stripack/sphere_chart.hpp"
 
-#include "stripack/predicates.hpp"
+#include "stripack/predicate_rungs.hpp"
 
 namespace delone::stripack {
 
@@ -15,24 +15,21 @@ namespace {
 
 bool is_pole(const Direction& d) { return d.x() == 0 && d.y() == 0; }
 
-Direction axis(double x, double y, double z) { return Direction::from(x, y, z); }
-
 }  // namespace
 
-// a_x b_y - a_y b_x is det(a, b, z).
 bool is_less_u_exactly(const Direction& a, const Direction& b) noexcept {
   if (is_pole(a)) return a.z() < 0 && !is_pole(b);
   if (is_pole(b)) return b.z() > 0;
-  return orientation(a, b, axis(0, 0, 1)) > 0;
+  return cross_sign(a.x(), a.y(), b.x(), b.y()) > 0;
 }
 
-// a_z b_x - a_x b_z is det(a, b, y); a_z b_y - a_y b_z is -det(a, b, x).
 bool is_less_v_exactly(const Direction& a, const Direction& b) noexcept {
   const Direction& seen = is_pole(a) ? b : a;
   if (is_pole(seen)) return false;
-  const int turn = octant_of(seen).lune == 0 ? orientation(a, b, axis(0, 1, 0))
-                                             : -orientation(a, b, axis(1, 0, 0));
-  return octant_of(seen).half == 0 ? turn < 0 : turn > 0;
+  const Octant octant = octant_of(seen);
+  const int turn = octant.lune == 0 ? cross_sign(a.z(), a.x(), b.z(), b.x())
+                                    : cross_sign(a.z(), a.y(), b.z(), b.y());
+  return octant.half == 0 ? turn < 0 : turn > 0;
 }
 
 }  // namespace delone::stripack

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "delaunay/lanes.hpp"
+#include "delaunay/twofold_lanes.hpp"
 #include "tripack/point.hpp"
 #include "tripack/predicate_filters.hpp"
 #include "tripack/predicates.hpp"
@@ -30,6 +31,11 @@ struct PlanePoints {
 /// infinite, so that nothing is certain. No size is above the square of the diagonal of
 /// the points' bounding box, which gives the errors that hold for a whole block.
 ///
+/// With twice the precision (delaunay::TwofoldArithmetic, its notation): differences have
+/// p = 1 and no error; cross and dot p = 4 and an error of 15 u^2 size; the products of
+/// the determinant 41 + 2 15 and their difference 19 more, each of size_x size_y, twice:
+/// 180 u^2. 32 and 256 u^2 leave room.
+///
 /// On a lattice of unit g (a power of two) cross, dot and size are multiples of g^2 and
 /// exact up to 2^53 g^2, the products of the determinant multiples of g^4 and exact up to
 /// 2^53 g^4. Where the sizes promise that, errors are 0 and a tie is known to be one.
@@ -40,6 +46,7 @@ class PlaneLanes {
   using Double4 = delaunay::Double4;
   using Mask4 = delaunay::Mask4;
   using Site = std::int32_t;
+  using Arithmetic = delaunay::TwofoldArithmetic<InstructionSet>;
   static constexpr bool can_close = false;
 
   /// For merging any of the points.
@@ -68,14 +75,23 @@ class PlaneLanes {
     return {delaunay::four(p.x), delaunay::four(p.y)};
   }
 
-  [[gnu::always_inline]] Lanes lanes(const Corner& a, const Corner& b,
-                                     const Site (&s)[4]) const noexcept {
+  /// Four sites, one a lane.
+  [[gnu::always_inline]] Corner corners(const Site (&s)[4]) const noexcept {
     const auto [x, y] = delaunay::transposed(&points_[s[0]].x, &points_[s[1]].x,
                                              &points_[s[2]].x, &points_[s[3]].x);
-    const Double4 ax = a.x - x, ay = a.y - y, bx = b.x - x, by = b.y - y;
+    return {x, y};
+  }
+
+  [[gnu::always_inline]] static Lanes lanes(const Corner& a, const Corner& b,
+                                            const Corner& x) noexcept {
+    const Double4 ax = a.x - x.x, ay = a.y - x.y, bx = b.x - x.x, by = b.y - x.y;
     return {InstructionSet::difference_of_products(ax, by, ay, bx),
             InstructionSet::sum_of_products(ax, bx, ay, by),
             delaunay::are_zero(ax, ay) | delaunay::are_zero(bx, by)};
+  }
+  [[gnu::always_inline]] Lanes lanes(const Corner& a, const Corner& b,
+                                     const Site (&s)[4]) const noexcept {
+    return lanes(a, b, corners(s));
   }
 
   [[gnu::always_inline]] Double4 sizes(Site a, Site b,
@@ -102,11 +118,36 @@ class PlaneLanes {
     return product <= exact_product_ ? Double4{} : error;
   }
 
+  struct TwofoldLanes {
+    delaunay::Twofold4 cross, dot;
+  };
+  [[gnu::always_inline]] static TwofoldLanes twofold_lanes(const Corner& a,
+                                                           const Corner& b,
+                                                           const Corner& x) noexcept {
+    const auto ax = Arithmetic::difference(a.x, x.x),
+               ay = Arithmetic::difference(a.y, x.y),
+               bx = Arithmetic::difference(b.x, x.x),
+               by = Arithmetic::difference(b.y, x.y);
+    return {
+        Arithmetic::difference(Arithmetic::product(ax, by), Arithmetic::product(ay, bx)),
+        Arithmetic::sum(Arithmetic::product(ax, bx), Arithmetic::product(ay, by))};
+  }
+  [[gnu::always_inline]] Double4 twofold_cross_error(const Double4& size) const noexcept {
+    return 0x1p-101 * size + (0x1p-960 + 0 * size);
+  }
+  [[gnu::always_inline]] Double4 twofold_circle_error(
+      const Double4& size_x, const Double4& size_y) const noexcept {
+    return 0x1p-98 * (size_x * size_y) + 0x1p-960;
+  }
+
   /// Exact sign.
   [[gnu::always_inline]] int orientation(Site a, Site b, Site c) const noexcept {
-    const int certain = orientation_filter(points_[a], points_[b], points_[c]);
-    return certain != 0 ? certain
-                        : tripack::orientation(points_[a], points_[b], points_[c]);
+    const Point2 &p = points_[a], &q = points_[b], &r = points_[c];
+    const double det = (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
+    const double error = cross_error_[0];
+    if (det > error || det < -error) [[likely]]
+      return det > 0 ? 1 : -1;
+    return error == 0 ? 0 : orientation_closely(a, b, c);
   }
   /// Exact sign, ties broken: never 0.
   [[gnu::noinline]] int in_circle(Site a, Site b, Site c, Site d) const noexcept {
@@ -123,6 +164,9 @@ class PlaneLanes {
   }
 
  private:
+  [[gnu::noinline]] int orientation_closely(Site a, Site b, Site c) const noexcept {
+    return tripack::orientation(points_[a], points_[b], points_[c]);
+  }
   // Rounding up of the diagonal is in the room the bounds leave.
   void set_errors(double square_diagonal) noexcept {
     const Double4 size = delaunay::four(square_diagonal);

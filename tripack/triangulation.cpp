@@ -77,13 +77,20 @@ bool is_on_one_line(std::span<const Point2> points) {
          });
 }
 
-// The lowest bit that is set in a number, as a power of two; 0 for 0.
+// The lowest bit that is set in a number that is not 0, as a power of two.
 double lowest_bit(double v) {
-  if (v == 0) return 0;
   int exponent = 0;
   const auto mantissa =
       static_cast<std::int64_t>(std::ldexp(std::frexp(v, &exponent), 53));
   return std::ldexp(static_cast<double>(mantissa & -mantissa), exponent - 53);
+}
+
+// Of a power of two; the quotient is exact where it is not too large to matter.
+bool is_multiple(double v, double unit) {
+  if (std::abs(v) < unit) return v == 0;
+  const double times = v / unit;
+  return std::abs(times) >= 0x1p53 ||
+         static_cast<double>(static_cast<std::int64_t>(times)) == times;
 }
 
 // The largest power of two of which all coordinates are multiples (lattices, whole
@@ -96,7 +103,7 @@ double lattice_unit(std::span<const Point2> points, const Box& box) {
   double unit = 0x1p200;
   for (const Point2 p : points) {
     for (const double v : {p.x, p.y}) {
-      if (v != 0) unit = std::min(unit, lowest_bit(v));
+      if (!is_multiple(v, unit)) unit = lowest_bit(v);
     }
     if (unit < least) return 0;
   }

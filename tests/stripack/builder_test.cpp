@@ -60,6 +60,31 @@ TEST(SphereBuilder, AreTheSameForEveryInstructionSet) {
   }
 }
 
+TEST(SphereBuilder, AreTheSameForEveryInstructionSetOnDegenerateSets) {
+  if (sphere_block_work().build == delaunay::BlockWorker<Portable>::work.build)
+    GTEST_SKIP() << "this processor runs the portable version only";
+  for (const support::SphereFamily& family : support::sphere_families()) {
+    std::vector<Direction> sites;
+    for (const Direction& d : family.make(800, 1)) {
+      const Octant o = octant_of(d);
+      if (o.half == 0 && o.lune == 0) sites.push_back(d);
+    }
+    const auto is_before = [](const Direction& a, const Direction& b) {
+      return is_less_u(a, b) || (!is_less_u(b, a) && is_less_v(a, b));
+    };
+    std::sort(sites.begin(), sites.end(), is_before);
+    sites.erase(std::unique(sites.begin(), sites.end(),
+                            [&](const Direction& a, const Direction& b) {
+                              return !is_before(a, b) && !is_before(b, a);
+                            }),
+                sites.end());
+    if (sites.size() < 2) continue;
+    const auto best = block_of(sites, sphere_block_work());
+    const auto portable = block_of(sites, delaunay::BlockWorker<Portable>::work);
+    EXPECT_EQ(lists_of(best), lists_of(portable)) << family.name;
+  }
+}
+
 TEST(SphereBuilder, DoNotDependOnTheNumberOfThreads) {
   const auto points = support::uniform_directions(30000, 7);
   const Triangulation one(points, {.num_threads = 1, .progress = {}});

@@ -55,6 +55,20 @@ TEST(PlaneBuilder, AreTheSameForEveryInstructionSet) {
   }
 }
 
+TEST(PlaneBuilder, AreTheSameForEveryInstructionSetOnDegenerateSets) {
+  if (plane_block_work().build == delaunay::BlockWorker<Portable>::work.build)
+    GTEST_SKIP() << "this processor runs the portable version only";
+  for (const support::PlaneFamily& family : support::plane_families()) {
+    std::vector<Point2> sites = family.make(400, 1);
+    std::sort(sites.begin(), sites.end(), lexicographically_less);
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+    if (sites.size() < 2) continue;
+    const auto best = block_of(sites, plane_block_work());
+    const auto portable = block_of(sites, delaunay::BlockWorker<Portable>::work);
+    EXPECT_EQ(lists_of(best), lists_of(portable)) << family.name;
+  }
+}
+
 TEST(PlaneBuilder, DoNotDependOnTheNumberOfThreads) {
   const auto points = support::uniform_points(30000, 7);
   const Triangulation one(points, {.num_threads = 1, .progress = {}});
