@@ -48,6 +48,13 @@ class ClosedMesh {
   explicit ClosedMesh(Site num_nodes = 0)
       : edges_(static_cast<std::size_t>(num_nodes), none) {}
 
+  /// Faces that are joined already, none of them free, and for every node a half-edge
+  /// that leaves it.
+  ClosedMesh(Buffer<Face> faces, Buffer<HalfEdge> edges)
+      : faces_(std::move(faces)),
+        edges_(std::move(edges)),
+        num_faces_(static_cast<std::int32_t>(faces_.size())) {}
+
   /// The triangles of `t`, its boundary, if any, closed by faces to a ghost: the node
   /// t.num_sites(), which is there in any case. Chains have no faces. O(n).
   [[nodiscard]] static ClosedMesh from(const Adjacency& t);

@@ -1,6 +1,7 @@
 #include "delaunay/region_flood.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace delone::delaunay {
 
@@ -18,13 +19,30 @@ std::int32_t find_root(Buffer<std::int32_t>& parent, std::int32_t f) {
   return f;
 }
 
+// The face joins the sets of the faces before it that it can be reached from. Nearly
+// always these have one parent, and no branch is needed to find that out.
 void unite_with_neighbors(const ClosedMesh& mesh, std::int32_t f,
                           Buffer<std::int32_t>& parent) {
   const ClosedMesh::Face& face = mesh.face(f);
+  std::array<std::int32_t, 3> before;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::int32_t other = ClosedMesh::face_of(face.link[k]);
-    if (other > f || ((face.constraints >> k) & 1) != 0) continue;
-    const std::int32_t one = find_root(parent, f), two = find_root(parent, other);
+    const std::int32_t is_open = static_cast<std::int32_t>(other < f) &
+                                 ~(static_cast<std::int32_t>(face.constraints) >> k);
+    const std::int32_t from = parent[at(f + (other - f) * (is_open & 1))];
+    before[k] = parent[at(from)];
+  }
+  const std::int32_t first = std::min({before[0], before[1], before[2]});
+  parent[at(f)] = first;
+  unsigned num_others = 0;
+  for (const std::int32_t other : before)
+    num_others +=
+        static_cast<unsigned>(other != first) & static_cast<unsigned>(other != f);
+  if (num_others == 0) [[likely]]
+    return;
+  for (const std::int32_t other : before) {
+    if (other == f) continue;
+    const std::int32_t one = find_root(parent, first), two = find_root(parent, other);
     parent[at(std::max(one, two))] = std::min(one, two);
   }
 }

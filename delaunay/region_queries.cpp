@@ -33,14 +33,17 @@ std::int64_t DomainFaces::num_triangles() const {
 
 DomainFaces keep_regions(const ClosedMesh& mesh, Site ghost, FaceRegions regions,
                          const std::vector<bool>& is_removed) {
+  const HalfEdge first = mesh.edge_at(ghost);
+  for (HalfEdge e = first; e != none;) {
+    regions.of_face[at(ClosedMesh::face_of(e))] = none;
+    e = mesh.next_around(e);
+    if (e == first) break;
+  }
   std::vector<std::int32_t> number(at(regions.count), none);
   DomainFaces domain;
-  for (std::int32_t f = 0; f < mesh.num_face_slots(); ++f) {
-    std::int32_t& region = regions.of_face[at(f)];
+  for (std::int32_t& region : regions.of_face) {
     if (region == none) continue;
-    const bool is_kept =
-        !is_removed[at(region)] && is_real(mesh, ClosedMesh::half_edge(f, 0), ghost);
-    if (!is_kept) {
+    if (is_removed[at(region)]) {
       region = none;
       continue;
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "delaunay/curve_order.hpp"
 #include "delaunay/error.hpp"
 
 namespace delone::delaunay {
@@ -13,6 +14,13 @@ namespace {
 
 using Pair = SegmentReport::Pair;
 using Segment = SegmentList::Segment;
+
+void check_num_segments(std::size_t num_segments) {
+  constexpr std::size_t limit = std::size_t{1} << 31;
+  if (num_segments <= limit) return;
+  throw Error(std::to_string(num_segments) + " segments are more than the limit of " +
+              std::to_string(limit) + "; divide the set");
+}
 
 void check_row(std::int64_t segment, Node row, std::size_t num_rows) {
   if (row >= 0 && std::cmp_less(row, num_rows)) return;
@@ -33,6 +41,24 @@ std::uint64_t key(Site a, Site b) {
   const auto [low, high] = std::minmax(a, b);
   return std::uint64_t{static_cast<std::uint32_t>(low)} << 32 |
          static_cast<std::uint32_t>(high);
+}
+
+// By sites, then by number. There are few segments at most sites.
+void sort(std::vector<Segment>& segments) {
+  const std::vector<Segment> unsorted = segments;
+  const Buffer<KeyedRow> order = sorted_by_key(
+      unsorted.size(),
+      [&](std::size_t i) { return static_cast<std::uint32_t>(unsorted[i].sites[0]); },
+      {.num_threads = 1, .progress = {}});
+  std::transform(order.begin(), order.end(), segments.begin(),
+                 [&](KeyedRow item) { return unsorted[item & 0xFFFFFFFFu]; });
+  for (auto begin = segments.begin(), end = begin; begin != segments.end(); begin = end) {
+    while (end != segments.end() && end->sites[0] == begin->sites[0]) ++end;
+    if (end - begin == 1) continue;
+    std::sort(begin, end, [](const Segment& s, const Segment& t) {
+      return std::pair(s.sites[1], s.number) < std::pair(t.sites[1], t.number);
+    });
+  }
 }
 
 // All pairs of segments with a passage in common, without repeats.
@@ -60,6 +86,7 @@ std::vector<Pair> find_pairs(std::vector<Passage>& passages, bool& is_complete) 
 
 SegmentList clean_segments(std::span<const std::array<Node, 2>> segments,
                            std::span<const Site> sites) {
+  check_num_segments(segments.size());
   SegmentList list;
   list.segments.reserve(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -73,10 +100,7 @@ SegmentList clean_segments(std::span<const std::array<Node, 2>> segments,
       list.segments.push_back({{std::min(a, b), std::max(a, b)}, number});
     }
   }
-  std::sort(list.segments.begin(), list.segments.end(),
-            [](const Segment& s, const Segment& t) {
-              return std::pair(s.sites, s.number) < std::pair(t.sites, t.number);
-            });
+  sort(list.segments);
   std::size_t kept = 0;
   for (const Segment& segment : list.segments) {
     if (kept > 0 && list.segments[kept - 1].sites == segment.sites) {

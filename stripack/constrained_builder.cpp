@@ -1,10 +1,13 @@
 #include "stripack/constrained_builder.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "delaunay/error.hpp"
+#include "delaunay/ring_faces.hpp"
+#include "delaunay/site_order.hpp"
 #include "stripack/constrained_crossing.hpp"
 
 namespace delone::stripack {
@@ -16,11 +19,6 @@ using delaunay::none;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-template <class T>
-delaunay::Buffer<T> copy(std::span<const T> values) {
-  return {values.begin(), values.end()};
-}
-
 bool are_antipodes(const Direction& a, const Direction& b) {
   return is_same_direction(a, Direction::from(-b.x(), -b.y(), -b.z()));
 }
@@ -30,23 +28,48 @@ bool are_antipodes(const Direction& a, const Direction& b) {
 ConstraintBuilder::ConstraintBuilder(const SphereGraph& graph,
                                      const SphereConstraintOptions& options,
                                      const RunOptions& run)
-    : ConstraintBuilder(graph, options, Triangulation(graph.points, run)) {}
+    : ConstraintBuilder(graph, options, triangulate(graph.points, run)) {}
 
 ConstraintBuilder::ConstraintBuilder(const SphereGraph& graph,
                                      const SphereConstraintOptions& options,
                                      const Triangulation& t)
+    : ConstraintBuilder(graph, options, copy(t)) {}
+
+ConstraintBuilder::ConstraintBuilder(const SphereGraph& graph,
+                                     const SphereConstraintOptions& options, Start start)
     : graph_(graph),
       options_(options),
-      dimension_(t.dimension()),
-      points_(copy(t.points())),
-      rows_(copy(t.rows())),
-      sites_(copy(t.sites())),
+      dimension_(start.dimension),
+      points_(std::move(start.points)),
+      rows_(std::move(start.rows)),
+      sites_(std::move(start.sites)),
       sphere_(points_),
-      mesh_(ClosedMesh::from(t.adjacency()), sphere_, t.num_sites()),
+      mesh_(std::move(start.mesh), sphere_, static_cast<Site>(points_.size())),
       list_(delaunay::clean_segments(graph.arcs, sites_)) {
   check_arcs();
-  points_.push_back({});
   insert_arcs();
+}
+
+// From the builder's rings straight to faces: neighbour lists would be made for nothing.
+ConstraintBuilder::Start ConstraintBuilder::triangulate(std::span<const Direction> points,
+                                                        const RunOptions& run) {
+  std::optional<ClosedMesh> mesh;
+  Triangulation t(
+      points, run,
+      [&](const Triangulation& sorted, const delaunay::SiteOrder& order,
+          const std::vector<Site>& first) {
+        if (auto rings = Triangulation::build_rings(sorted.points_, order, run))
+          mesh = delaunay::take_faces(*std::move(rings));
+        return mesh ? Adjacency()
+                    : Triangulation::build(sorted.points_, first, order, run);
+      });
+  if (!mesh) mesh = ClosedMesh::from(t.adjacency());
+  return {std::move(t.points_), std::move(t.rows_), std::move(t.sites_), *std::move(mesh),
+          t.dimension()};
+}
+
+ConstraintBuilder::Start ConstraintBuilder::copy(const Triangulation& t) {
+  return {t.points_, t.rows_, t.sites_, ClosedMesh::from(t.adjacency()), t.dimension()};
 }
 
 void ConstraintBuilder::check_arcs() const {
@@ -82,15 +105,20 @@ void ConstraintBuilder::divide_chain(Site a, Site b) {
     mesh_.divide(a, b, next);
 }
 
+Site ConstraintBuilder::add_site(const Direction& p) {
+  if (std::cmp_equal(points_.size(), mesh_.ghost())) points_.emplace_back();
+  points_.push_back(p);
+  return static_cast<Site>(points_.size()) - 1;
+}
+
 void ConstraintBuilder::cross(const Mesh::Edge& piece, HalfEdge crossed) {
   const Mesh::Edge ends{mesh_.mesh().origin(crossed), mesh_.mesh().target(crossed)};
   if (options_.crossings == Crossings::error) refuse_crossing(piece, ends);
   const auto n = static_cast<std::int64_t>(list_.segments.size()) + 16;
   if (++num_crossings_ > 64 * n * n)
     throw Error("arcs cross too often, and too close to one another, to be divided");
-  points_.push_back(rounded_crossing(sphere_.at(piece[0]), sphere_.at(piece[1]),
-                                     sphere_.at(ends[0]), sphere_.at(ends[1])));
-  const auto v = static_cast<Site>(points_.size()) - 1;
+  const Site v = add_site(rounded_crossing(sphere_.at(piece[0]), sphere_.at(piece[1]),
+                                           sphere_.at(ends[0]), sphere_.at(ends[1])));
   if (mesh_.divide_crossing(piece, crossed, v) != v) points_.pop_back();
 }
 
@@ -203,7 +231,7 @@ delaunay::DomainFaces ConstraintBuilder::classify() const {
 
 ConstrainedTriangulation ConstraintBuilder::finish() && {
   ConstrainedTriangulation t;
-  const Site ghost = mesh_.ghost(), num_sites = static_cast<Site>(points_.size()) - 1;
+  const Site ghost = mesh_.ghost();
   t.num_input_rows_ = static_cast<Node>(sites_.size());
   delaunay::DomainFaces domain = classify();
   t.num_triangles_ = domain.num_triangles();
@@ -211,7 +239,8 @@ ConstrainedTriangulation ConstraintBuilder::finish() && {
   t.regions_ = std::move(domain.regions);
   const bool needs_report =
       !mesh_.shared_pieces().empty() || mesh_.paths().has_divisions();
-  points_.erase(points_.begin() + ghost);
+  if (std::cmp_greater(points_.size(), ghost)) points_.erase(points_.begin() + ghost);
+  const auto num_sites = static_cast<Site>(points_.size());
   for (Site v = ghost; v < num_sites; ++v) {
     rows_.push_back(static_cast<Node>(sites_.size()));
     sites_.push_back(v);

@@ -30,9 +30,23 @@ class ConstraintBuilder {
   [[nodiscard]] ConstrainedTriangulation finish() &&;
 
  private:
+  /// The points without the arcs.
+  struct Start {
+    delaunay::Buffer<Direction> points;
+    delaunay::Buffer<Node> rows;
+    delaunay::Buffer<Site> sites;
+    ClosedMesh mesh;
+    int dimension;
+  };
+  static Start triangulate(std::span<const Direction> points, const RunOptions& run);
+  static Start copy(const Triangulation& t);
+  ConstraintBuilder(const SphereGraph& graph, const SphereConstraintOptions& options,
+                    Start start);
+
   void check_arcs() const;
   void insert_arcs();
   void divide_chain(Site a, Site b);
+  Site add_site(const Direction& p);
   void cross(const Mesh::Edge& piece, HalfEdge crossed);
   [[noreturn]] void refuse_crossing(const Mesh::Edge& piece, const Mesh::Edge& crossed);
   [[nodiscard]] delaunay::MeshPlace place_of(const Direction& p) const;
@@ -47,7 +61,8 @@ class ConstraintBuilder {
   const SphereGraph& graph_;
   SphereConstraintOptions options_;
   int dimension_;
-  delaunay::Buffer<Direction> points_;  // one unused, for the ghost
+  // Where sites were added, one unused, for the ghost.
+  delaunay::Buffer<Direction> points_;
   delaunay::Buffer<Node> rows_;
   delaunay::Buffer<Site> sites_;
   SiteSphere sphere_;

@@ -98,21 +98,6 @@ Adjacency build_by_insertion(std::span<const Direction> points,
   return Adjacency(std::move(lists));
 }
 
-Adjacency build(std::span<const Direction> points, const std::vector<Site>& first,
-                const delaunay::SiteOrder& order, const RunOptions& run) {
-  using Builder = delaunay::RingBuilder<SphereLanes<delaunay::Portable>>;
-  const auto second =
-      std::partition_point(order.keys.begin(), order.keys.end(),
-                           [](std::uint32_t key) { return key >> 31 == 0; });
-  auto rings = Builder({points.data()}, order, sphere_block_work())
-                   .build_halves(static_cast<Site>(second - order.keys.begin()), run);
-  if (rings) {
-    Adjacency result(delaunay::take_lists(*std::move(rings), run));
-    if (!delaunay::find_euler_defect(result)) return result;
-  }
-  return build_by_insertion(points, first, run.progress);
-}
-
 double squared_sum(const Direction& a, const Direction& b) {
   const double dx = a.x() + b.x(), dy = a.y() + b.y(), dz = a.z() + b.z();
   return dx * dx + dy * dy + dz * dz;
@@ -135,29 +120,51 @@ delaunay::SiteOrder Triangulation::number_sites(std::span<const Direction> point
   return order;
 }
 
-Triangulation::Triangulation(std::span<const Direction> points,
-                             const RunOptions& options) {
+Triangulation::Triangulation(std::span<const Direction> points, const RunOptions& options)
+    : Triangulation(points, options,
+                    [&](const Triangulation& t, const delaunay::SiteOrder& order,
+                        const std::vector<Site>& first) {
+                      return build(t.points_, first, order, options);
+                    }) {}
+
+Triangulation::Triangulation(std::span<const Direction> points, const RunOptions& options,
+                             const KnownTopology& topology)
+    : Triangulation(points, options,
+                    [&](const Triangulation& t, const delaunay::SiteOrder&,
+                        const std::vector<Site>&) { return topology(t.rows_); }) {}
+
+Triangulation::Triangulation(std::span<const Direction> points, const RunOptions& options,
+                             const TopologyOf& topology) {
   const delaunay::SiteOrder order = number_sites(points, options);
   const std::vector<Site> first = first_triangle(points_);
   if (first.empty()) {
     make_chain();
     return;
   }
-  adjacency_ = build(points_, first, order, options);
+  adjacency_ = topology(*this, order, first);
   num_triangles_ = adjacency_.num_triangles();
   dimension_ = 2;
 }
 
-Triangulation::Triangulation(std::span<const Direction> points, const RunOptions& options,
-                             const KnownTopology& topology) {
-  number_sites(points, options);
-  if (first_triangle(points_).empty()) {
-    make_chain();
-    return;
+std::optional<delaunay::EdgeRings> Triangulation::build_rings(
+    std::span<const Direction> points, const delaunay::SiteOrder& order,
+    const RunOptions& run) {
+  using Builder = delaunay::RingBuilder<SphereLanes<delaunay::Portable>>;
+  const auto second =
+      std::partition_point(order.keys.begin(), order.keys.end(),
+                           [](std::uint32_t key) { return key >> 31 == 0; });
+  return Builder({points.data()}, order, sphere_block_work())
+      .build_halves(static_cast<Site>(second - order.keys.begin()), run);
+}
+
+Adjacency Triangulation::build(std::span<const Direction> points,
+                               const std::vector<Site>& first,
+                               const delaunay::SiteOrder& order, const RunOptions& run) {
+  if (auto rings = build_rings(points, order, run)) {
+    Adjacency result(delaunay::take_lists(*std::move(rings), run));
+    if (!delaunay::find_euler_defect(result)) return result;
   }
-  adjacency_ = topology(rows_);
-  num_triangles_ = adjacency_.num_triangles();
-  dimension_ = 2;
+  return build_by_insertion(points, first, run.progress);
 }
 
 // One direction may come as triples of lengths an ulp apart; which of them is kept, and

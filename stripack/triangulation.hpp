@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,8 +12,9 @@
 #include "stripack/direction.hpp"
 
 namespace delone::delaunay {
+struct EdgeRings;
 struct SiteOrder;
-}
+}  // namespace delone::delaunay
 
 namespace delone::stripack {
 
@@ -95,12 +97,28 @@ class Triangulation {
   [[nodiscard]] Site nearest_site(const Direction& p, Site start = 0) const;
 
  private:
+  friend class ConstraintBuilder;
   friend class Editor;
   /// Lists of the sites whose first rows are given, for points whose triangulation is
   /// known already. Not asked for if there are no triangles.
   using KnownTopology = std::function<Adjacency(std::span<const Node> rows)>;
   Triangulation(std::span<const Direction> points, const RunOptions& options,
                 const KnownTopology& topology);
+  /// Makes the topology, once points() and the order are known, from three sites that are
+  /// not on one great circle, counter-clockwise. Not asked for if there are none.
+  using TopologyOf = std::function<Adjacency(
+      const Triangulation&, const delaunay::SiteOrder&, const std::vector<Site>& first)>;
+  Triangulation(std::span<const Direction> points, const RunOptions& options,
+                const TopologyOf& topology);
+  /// The topology before its lists are made; nothing if rounded numbers could not tell
+  /// where to begin.
+  [[nodiscard]] static std::optional<delaunay::EdgeRings> build_rings(
+      std::span<const Direction> points, const delaunay::SiteOrder& order,
+      const RunOptions& run);
+  [[nodiscard]] static Adjacency build(std::span<const Direction> points,
+                                       const std::vector<Site>& first,
+                                       const delaunay::SiteOrder& order,
+                                       const RunOptions& run);
   delaunay::SiteOrder number_sites(std::span<const Direction> points,
                                    const RunOptions& options);
   void settle_lengths(std::span<const Direction> points);

@@ -7,6 +7,8 @@
 
 #include "delaunay/error.hpp"
 #include "delaunay/mesh_walk.hpp"
+#include "delaunay/ring_faces.hpp"
+#include "delaunay/site_order.hpp"
 #include "tripack/constrained_crossing.hpp"
 
 namespace delone::tripack {
@@ -41,37 +43,54 @@ double find_reach(std::span<const Point2> points) {
   return largest * 0x1p-50;
 }
 
-template <class T>
-delaunay::Buffer<T> copy(std::span<const T> values) {
-  return {values.begin(), values.end()};
-}
-
 }  // namespace
 
 ConstraintBuilder::ConstraintBuilder(const PlanarGraph& graph,
                                      const ConstraintOptions& options,
                                      const RunOptions& run)
-    : ConstraintBuilder(checked(graph), options, Triangulation(graph.points, run)) {}
+    : ConstraintBuilder(checked(graph), options, triangulate(graph.points, run)) {}
 
 ConstraintBuilder::ConstraintBuilder(const PlanarGraph& graph,
                                      const ConstraintOptions& options,
                                      const Triangulation& t)
+    : ConstraintBuilder(graph, options, copy(t)) {}
+
+ConstraintBuilder::ConstraintBuilder(const PlanarGraph& graph,
+                                     const ConstraintOptions& options, Start start)
     : graph_(graph),
       options_(options),
-      dimension_(t.dimension()),
-      points_(copy(t.points())),
-      reach_(find_reach(t.points())),
-      rows_(copy(t.rows())),
-      sites_(copy(t.sites())),
+      dimension_(start.dimension),
+      points_(std::move(start.points)),
+      reach_(find_reach(points_)),
+      rows_(std::move(start.rows)),
+      sites_(std::move(start.sites)),
       plane_(points_),
-      mesh_(ClosedMesh::from(t.adjacency()), plane_, t.num_sites()),
+      mesh_(std::move(start.mesh), plane_, static_cast<Site>(points_.size())),
       list_(delaunay::clean_segments(graph.segments, sites_)) {
-  points_.push_back({});
   if (dimension_ == 2) {
     insert_segments();
   } else {
     divide_chain();
   }
+}
+
+// From the builder's rings straight to faces: neighbour lists would be made for nothing.
+ConstraintBuilder::Start ConstraintBuilder::triangulate(std::span<const Point2> points,
+                                                        const RunOptions& run) {
+  std::optional<ClosedMesh> mesh;
+  Triangulation t(
+      points, run, [&](const Triangulation& sorted, const delaunay::SiteOrder& order) {
+        mesh =
+            delaunay::take_faces(Triangulation::build_rings(sorted.points_, order, run));
+        return Adjacency();
+      });
+  if (t.dimension() < 2) mesh = ClosedMesh::from(t.adjacency());
+  return {std::move(t.points_), std::move(t.rows_), std::move(t.sites_),
+          std::move(mesh).value(), t.dimension()};
+}
+
+ConstraintBuilder::Start ConstraintBuilder::copy(const Triangulation& t) {
+  return {t.points_, t.rows_, t.sites_, ClosedMesh::from(t.adjacency()), t.dimension()};
 }
 
 void ConstraintBuilder::insert_segments() {
@@ -90,6 +109,7 @@ void ConstraintBuilder::divide_chain() {
 }
 
 Site ConstraintBuilder::add_site(Point2 p) {
+  if (std::cmp_equal(points_.size(), mesh_.ghost())) points_.emplace_back();
   points_.push_back(p);
   return static_cast<Site>(points_.size()) - 1;
 }
@@ -172,7 +192,7 @@ delaunay::DomainFaces ConstraintBuilder::classify() const {
 
 ConstrainedTriangulation ConstraintBuilder::finish() && {
   ConstrainedTriangulation t;
-  const Site infinity = mesh_.ghost(), num_sites = static_cast<Site>(points_.size()) - 1;
+  const Site infinity = mesh_.ghost();
   t.num_input_rows_ = static_cast<Node>(sites_.size());
   delaunay::DomainFaces domain = classify();
   t.num_triangles_ = domain.num_triangles();
@@ -180,7 +200,9 @@ ConstrainedTriangulation ConstraintBuilder::finish() && {
   t.regions_ = std::move(domain.regions);
   const bool needs_report =
       !mesh_.shared_pieces().empty() || mesh_.paths().has_divisions();
-  points_.erase(points_.begin() + infinity);
+  if (std::cmp_greater(points_.size(), infinity))
+    points_.erase(points_.begin() + infinity);
+  const auto num_sites = static_cast<Site>(points_.size());
   for (Site v = infinity; v < num_sites; ++v) {
     rows_.push_back(static_cast<Node>(sites_.size()));
     sites_.push_back(v);

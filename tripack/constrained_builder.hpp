@@ -43,6 +43,19 @@ class ConstraintBuilder {
   [[nodiscard]] delaunay::DomainFaces classify() const;
 
  private:
+  /// The points without the segments.
+  struct Start {
+    delaunay::Buffer<Point2> points;
+    delaunay::Buffer<Node> rows;
+    delaunay::Buffer<Site> sites;
+    ClosedMesh mesh;
+    int dimension;
+  };
+  static Start triangulate(std::span<const Point2> points, const RunOptions& run);
+  static Start copy(const Triangulation& t);
+  ConstraintBuilder(const PlanarGraph& graph, const ConstraintOptions& options,
+                    Start start);
+
   void insert_segments();
   void divide_chain();
   [[noreturn]] void refuse_crossing(const Mesh::Edge& piece, const Mesh::Edge& crossed);
@@ -55,7 +68,7 @@ class ConstraintBuilder {
   const PlanarGraph& graph_;
   ConstraintOptions options_;
   int dimension_;
-  delaunay::Buffer<Point2> points_;  // one unused, at infinity
+  delaunay::Buffer<Point2> points_;  // where sites were added, one unused, at infinity
   double reach_;
   delaunay::Buffer<Node> rows_;
   delaunay::Buffer<Site> sites_;

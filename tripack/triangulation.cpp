@@ -110,17 +110,6 @@ double lattice_unit(std::span<const Point2> points, const Box& box) {
   return unit;
 }
 
-Adjacency build(std::span<const Point2> points, const delaunay::SiteOrder& order,
-                const RunOptions& run) {
-  using Builder = delaunay::RingBuilder<PlaneLanes<delaunay::Portable>>;
-  const Box box = bounding_box(points);
-  const double width = box.high_x - box.low_x, height = box.high_y - box.low_y;
-  const PlanePoints plane{points.data(), lattice_unit(points, box),
-                          width * width + height * height};
-  return Adjacency(
-      delaunay::take_lists(Builder(plane, order, plane_block_work()).build(run), run));
-}
-
 double squared_distance(Point2 a, Point2 b) {
   const double dx = a.x - b.x, dy = a.y - b.y;
   return dx * dx + dy * dy;
@@ -129,10 +118,11 @@ double squared_distance(Point2 a, Point2 b) {
 }  // namespace
 
 Triangulation::Triangulation(std::span<const Point2> points, const RunOptions& options)
-    : Triangulation(points, options,
-                    [&](const Triangulation& t, const delaunay::SiteOrder& order) {
-                      return build(t.points_, order, options);
-                    }) {}
+    : Triangulation(
+          points, options, [&](const Triangulation& t, const delaunay::SiteOrder& order) {
+            return Adjacency(
+                delaunay::take_lists(build_rings(t.points_, order, options), options));
+          }) {}
 
 Triangulation::Triangulation(std::span<const Point2> points, const RunOptions& options,
                              const TopologyOf& topology) {
@@ -156,6 +146,17 @@ Triangulation::Triangulation(std::span<const Point2> points, const RunOptions& o
   }
   num_triangles_ = adjacency_.num_triangles();
   dimension_ = 2;
+}
+
+delaunay::EdgeRings Triangulation::build_rings(std::span<const Point2> points,
+                                               const delaunay::SiteOrder& order,
+                                               const RunOptions& run) {
+  using Builder = delaunay::RingBuilder<PlaneLanes<delaunay::Portable>>;
+  const Box box = bounding_box(points);
+  const double width = box.high_x - box.low_x, height = box.high_y - box.low_y;
+  const PlanePoints plane{points.data(), lattice_unit(points, box),
+                          width * width + height * height};
+  return Builder(plane, order, plane_block_work()).build(run);
 }
 
 // Collinear sites are numbered in lexicographic order, which is their order along the

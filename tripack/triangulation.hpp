@@ -11,8 +11,9 @@
 #include "tripack/point.hpp"
 
 namespace delone::delaunay {
+struct EdgeRings;
 struct SiteOrder;
-}
+}  // namespace delone::delaunay
 
 namespace delone::tripack {
 
@@ -90,6 +91,7 @@ class Triangulation {
   [[nodiscard]] Site nearest_site(Point2 p, Site start = 0) const;
 
  private:
+  friend class ConstraintBuilder;
   friend class Editor;
   /// Makes the topology, once points() and the order are known, unless points are in
   /// line.
@@ -97,6 +99,10 @@ class Triangulation {
       std::function<Adjacency(const Triangulation&, const delaunay::SiteOrder&)>;
   Triangulation(std::span<const Point2> points, const RunOptions& options,
                 const TopologyOf& topology);
+  /// The topology before its lists are made.
+  [[nodiscard]] static delaunay::EdgeRings build_rings(std::span<const Point2> points,
+                                                       const delaunay::SiteOrder& order,
+                                                       const RunOptions& run);
   void make_chain();
   [[nodiscard]] Location locate_in_chain(Point2 p) const;
 
