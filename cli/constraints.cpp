@@ -7,7 +7,9 @@
 #include "cli/output.hpp"
 #include "cli/triangle_output.hpp"
 #include "stripack/constrained_triangulation.hpp"
+#include "stripack/hole_points.hpp"
 #include "tripack/constrained_triangulation.hpp"
+#include "tripack/hole_points.hpp"
 #include "tripack/refine.hpp"
 
 namespace delone::cli {
@@ -301,16 +303,34 @@ ConstrainedOutput triangulate(const ConstrainedInput& input,
                               const ConstraintSettings& settings, Reporter& reporter) {
   check_domain(input, settings);
   if (input.points.is_on_plane()) {
-    const auto refined = reporter.timed(
-        Phase::build, [&] { return build_plane(input, settings, reporter); });
+    auto refined = reporter.timed(Phase::build,
+                                  [&] { return build_plane(input, settings, reporter); });
     ConstrainedOutput output =
         output_of(input, refined.triangulation, refined.num_added, reporter);
     if (settings.refines()) say_refined(settings, refined, reporter);
+    output.triangulation = std::move(refined.triangulation);
     return output;
   }
-  const auto t = reporter.timed(Phase::build,
-                                [&] { return build_globe(input, settings, reporter); });
-  return output_of(input, t, 0, reporter);
+  auto t = reporter.timed(Phase::build,
+                          [&] { return build_globe(input, settings, reporter); });
+  ConstrainedOutput output = output_of(input, t, 0, reporter);
+  output.triangulation = std::move(t);
+  return output;
+}
+
+std::vector<tripack::Point2> hole_points(const ConstrainedInput& input,
+                                         const ConstraintSettings& settings,
+                                         const ConstrainedOutput& output) {
+  const bool are_named = !input.are_rings && settings.outside.empty();
+  if (are_named || settings.keeps_outside) return input.graph.holes;
+  return blaming(input, [&] {
+    std::vector<tripack::Point2> points;
+    const auto add = [&](const auto& t) {
+      for (const auto& [x, y] : hole_points(t)) points.push_back({x, y});
+    };
+    std::visit(add, output.triangulation);
+    return points;
+  });
 }
 
 }  // namespace delone::cli

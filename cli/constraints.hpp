@@ -61,6 +61,7 @@ struct ConstrainedOutput {
   std::vector<io::Triangle> triangles;
   std::vector<std::array<std::int32_t, 2>> pieces;  ///< of the segments
   std::int64_t num_added = 0;  ///< the last nodes, which no file holds
+  Constrained triangulation{};
 };
 
 /// Triangulates, refines if asked to, and says what was not clean or could not be had.
@@ -68,5 +69,13 @@ struct ConstrainedOutput {
 [[nodiscard]] ConstrainedOutput triangulate(const ConstrainedInput& input,
                                             const ConstraintSettings& settings,
                                             Reporter& reporter);
+
+/// Points that name the holes in a .poly file: those of the input, or, where rings were
+/// counted or --outside says what is left out, one in each hole of the domain (none where
+/// all is kept); on the globe longitude and latitude. Throws Error for a hole too narrow
+/// for a point.
+[[nodiscard]] std::vector<tripack::Point2> hole_points(const ConstrainedInput& input,
+                                                       const ConstraintSettings& settings,
+                                                       const ConstrainedOutput& output);
 
 }  // namespace delone::cli

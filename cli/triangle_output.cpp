@@ -81,9 +81,8 @@ void write_triangles(const std::string& path, const std::string& format,
 void add_triangle_output_options(CLI::App& app, TriangleOutput& settings) {
   add_output_options(
       app, settings.output,
-      ".tri (index triples), .ele .neigh .edge .node (of Triangle), .poly (its points "
-      "and "
-      "pieces of segments), .adj (a node and its "
+      ".tri (index triples), .ele .neigh .edge .node (of Triangle), .poly (its points, "
+      "pieces of segments and holes), .adj (a node and its "
       "neighbours counter-clockwise), .renka (LIST, LPTR, LEND), .off, .ply, .vtu, "
       ".geojson, .nc (UGRID), .svg, .png, .pdf, .eps; by --format also i, o, Fv, FN "
       "(of Qhull), qhull and xy (the points), mathematica");

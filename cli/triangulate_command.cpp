@@ -54,14 +54,6 @@ void write_added(const Settings& settings, const std::string& format,
   reporter.say("wrote {}: {}", nodes, counted(result.num_added, "added point"));
 }
 
-/// What a .poly file can say of the input.
-void check_poly_output(const ConstrainedInput& input) {
-  if (input.are_rings)
-    throw UsageError(
-        "a .poly file names holes by points, and these rings are counted; write the "
-        "triangles (.ele)");
-}
-
 /// The domain as segments that only meet in nodes: what its triangles can be checked
 /// against.
 void write_poly(const Settings& settings, const ConstrainedInput& input,
@@ -71,7 +63,7 @@ void write_poly(const Settings& settings, const ConstrainedInput& input,
   file.nodes.y = result.nodes.y;
   file.nodes.base = settings.output.base.value_or(input.file_base.value_or(0));
   file.graph.segments = result.pieces;
-  file.graph.holes = input.graph.holes;
+  file.graph.holes = hole_points(input, settings.constraints, result);
   file.graph.regions = input.graph.regions;
   io::write_poly(settings.output.output.path, file);
 }
@@ -85,7 +77,6 @@ void run_constrained(const Settings& settings, const std::string& format,
         ".tri)");
   const ConstrainedInput input =
       read_constrained(settings.points, settings.constraints.path, reporter);
-  if (format == "poly") check_poly_output(input);
   ConstrainedOutput result = triangulate(input, settings.constraints, reporter);
   reporter.timed(Phase::write, [&] {
     if (format == "poly") return write_poly(settings, input, result);

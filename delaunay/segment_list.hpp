@@ -58,7 +58,8 @@ struct SegmentList {
 };
 
 /// `segments`: pairs of rows; `sites`: the site of every row. Throws Error naming the
-/// segment if there is no such row. O(n log n).
+/// segment if there is no such row, or if there are too many segments (2^31). O(n) but
+/// for sites with many segments: O(n log n).
 [[nodiscard]] SegmentList clean_segments(std::span<const std::array<Node, 2>> segments,
                                          std::span<const Site> sites);
 

@@ -1,5 +1,6 @@
 #include "io/base64.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace delone::io {
@@ -19,6 +20,7 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; 
 
 std::string decode_base64(std::string_view text, std::size_t most) {
   std::string bytes;
+  bytes.reserve(std::min(most, text.size() / 4 * 3 + 3));
   std::uint32_t bits = 0;
   int num_bits = 0;
   for (const char c : text) {

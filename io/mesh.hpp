@@ -50,15 +50,15 @@ struct Mesh {
 
 /// The files that hold nodes and cells together. Indices in them count from 0.
 ///
-/// - `off`: OFF, as Geomview writes it.
-/// - `o`: what Qhull's option `o` prints, with a dimension in the place of the keyword.
-/// In
-///   the plane as qdelaunay does, sites lifted to x, y, x*x + y*y (Error where that
+/// - `off`: OFF, as Geomview writes it. Read as text and as `OFF BINARY`; normals,
+///   colours and textures are passed over.
+/// - `o`: what Qhull's option `o` prints, a dimension in the place of the keyword. In the
+///   plane as qdelaunay does, sites lifted to x, y, x*x + y*y (Error where that
 ///   overflows); on the globe as for the convex hull of unit vectors. `off` and `o` read
 ///   one another.
 /// - `ply`: PLY, written as ASCII; read as ASCII and binary of either byte order.
 /// - `vtu`: VTK's unstructured grid as XML, written inline as ASCII; read inline or
-///   appended, ASCII, base64 or raw, not compressed.
+///   appended, ASCII, base64 or raw, of either byte order, compressed with zlib or not.
 /// - `geojson`: RFC 7946, a polygon feature a cell with its node numbers as properties.
 ///   On the globe cells over the date line are cut there, and cells that hold a pole
 ///   reach along it. Cells only: nodes without a cell are not in the file. Not read.

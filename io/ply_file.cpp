@@ -5,12 +5,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "io/byte_order.hpp"
 #include "io/file_bytes.hpp"
 #include "io/line_reader.hpp"
 #include "io/mesh_points.hpp"
@@ -141,13 +141,9 @@ class Body {
     if (encoding_ == Encoding::ascii) return cursor_.real("a number");
     const std::size_t size = bytes_of(type);
     if (bytes_.size() < size) cursor_.fail("the file ends within its elements");
-    std::array<char, 8> raw{};
-    std::memcpy(raw.data(), bytes_.data(), size);
+    const double value = decoded(bytes_.data(), type);
     bytes_.remove_prefix(size);
-    const bool is_native = (encoding_ == Encoding::little_endian) ==
-                           (std::endian::native == std::endian::little);
-    if (!is_native) std::reverse(raw.begin(), raw.begin() + static_cast<int>(size));
-    return decoded(raw, type);
+    return value;
   }
 
   /// Throws if `count` things of `least_bytes` each cannot be there.
@@ -167,29 +163,29 @@ class Body {
 
  private:
   template <class T>
-  static double as(const std::array<char, 8>& raw) {
-    T value;
-    std::memcpy(&value, raw.data(), sizeof value);
-    return static_cast<double>(value);
+  [[nodiscard]] double as(const char* bytes) const {
+    return static_cast<double>(number_at<T>(bytes, encoding_ == Encoding::little_endian
+                                                       ? std::endian::little
+                                                       : std::endian::big));
   }
-  static double decoded(const std::array<char, 8>& raw, NumberType type) {
+  [[nodiscard]] double decoded(const char* bytes, NumberType type) const {
     switch (type) {
       case NumberType::i8:
-        return as<std::int8_t>(raw);
+        return as<std::int8_t>(bytes);
       case NumberType::u8:
-        return as<std::uint8_t>(raw);
+        return as<std::uint8_t>(bytes);
       case NumberType::i16:
-        return as<std::int16_t>(raw);
+        return as<std::int16_t>(bytes);
       case NumberType::u16:
-        return as<std::uint16_t>(raw);
+        return as<std::uint16_t>(bytes);
       case NumberType::i32:
-        return as<std::int32_t>(raw);
+        return as<std::int32_t>(bytes);
       case NumberType::u32:
-        return as<std::uint32_t>(raw);
+        return as<std::uint32_t>(bytes);
       case NumberType::f32:
-        return as<float>(raw);
+        return as<float>(bytes);
       case NumberType::f64:
-        return as<double>(raw);
+        return as<double>(bytes);
     }
     return 0;
   }

@@ -1,17 +1,12 @@
 // VTK's XML format for unstructured grids. Source: "VTK File Formats", The VTK User's
 // Guide, Kitware.
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "io/base64.hpp"
 #include "io/fields.hpp"
 #include "io/file_bytes.hpp"
 #include "io/line_reader.hpp"
@@ -19,6 +14,7 @@
 #include "io/table.hpp"
 #include "io/text_cursor.hpp"
 #include "io/text_writer.hpp"
+#include "io/vtk_data.hpp"
 #include "io/xml_scanner.hpp"
 
 namespace delone::io {
@@ -26,32 +22,10 @@ namespace {
 
 constexpr int vtk_triangle = 5, vtk_polygon = 7, vtk_quad = 9;
 
-template <class T>
-std::vector<double> numbers_in(std::string_view bytes) {
-  std::vector<double> numbers(bytes.size() / sizeof(T));
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    T number;
-    std::memcpy(&number, bytes.data() + i * sizeof(T), sizeof(T));
-    numbers[i] = static_cast<double>(number);
-  }
-  return numbers;
-}
+constexpr std::string_view blanks = " \t\r\n";
 
-/// Bytes of a VTK type as numbers; nothing if the type is unknown.
-std::optional<std::vector<double>> decoded(std::string_view type,
-                                           std::string_view bytes) {
-  if (type == "Float64") return numbers_in<double>(bytes);
-  if (type == "Float32") return numbers_in<float>(bytes);
-  if (type == "Int64") return numbers_in<std::int64_t>(bytes);
-  if (type == "Int32") return numbers_in<std::int32_t>(bytes);
-  if (type == "Int16") return numbers_in<std::int16_t>(bytes);
-  if (type == "Int8") return numbers_in<std::int8_t>(bytes);
-  if (type == "UInt64") return numbers_in<std::uint64_t>(bytes);
-  if (type == "UInt32") return numbers_in<std::uint32_t>(bytes);
-  if (type == "UInt16") return numbers_in<std::uint16_t>(bytes);
-  if (type == "UInt8") return numbers_in<std::uint8_t>(bytes);
-  return std::nullopt;
-}
+/// Longer arrays are refused before their size in bytes is formed.
+constexpr double most_numbers = 0x1p53;
 
 class VtuReader {
  public:
@@ -60,14 +34,7 @@ class VtuReader {
 
   Mesh read() {
     find_arrays();
-    const std::vector<double> coordinates = numbers(points_, "Points");
-    if (coordinates.size() % 3 != 0) fail("the points have not three coordinates each");
-    std::vector<SpacePoint> points;
-    for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
-      points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
-    for (const double coordinate : coordinates)
-      if (!std::isfinite(coordinate)) fail("a coordinate is not finite");
-    take_points(mesh_, points);
+    read_points();
     read_cells();
     return std::move(mesh_);
   }
@@ -80,27 +47,51 @@ class VtuReader {
   /// Notes the arrays of points and cells, and where appended data begin.
   void find_arrays() {
     std::string_view section;
-    int num_pieces = 0;
     for (auto tag = next_tag(document_); tag; tag = next_tag(tag->rest)) {
-      if (tag->name == "VTKFile") read_file_tag(*tag);
-      if (tag->name == "Piece" && ++num_pieces > 1)
-        fail("more than one piece; merge them into one");
-      if (tag->name == "AppendedData") return note_appended(*tag);
+      if (tag->name == "VTKFile") note_file(*tag);
+      if (tag->name == "Piece") note_piece(*tag);
+      if (tag->name == "AppendedData") {
+        note_appended(*tag);
+        break;  // no tags behind it, but bytes that may look like them
+      }
       const bool is_section = tag->name == "Points" || tag->name == "Cells" ||
                               tag->name == "PointData" || tag->name == "CellData";
       if (is_section) section = tag->name;
       if (tag->name == "DataArray") note_array(section, *tag);
     }
-    if (num_pieces == 0) fail("this is no VTK file of an unstructured grid");
+    if (!file_ || !has_piece_) fail("this is no VTK file of an unstructured grid");
   }
 
-  void read_file_tag(const XmlTag& tag) {
+  void note_file(const XmlTag& tag) {
     if (tag.attribute("type") != "UnstructuredGrid")
       fail("this is a VTK file, but not of an unstructured grid");
-    is_compressed_ = !tag.attribute("compressor").empty();
-    is_header_long_ = tag.attribute("header_type") == "UInt64";
-    is_native_ = (tag.attribute("byte_order") != "BigEndian") ==
-                 (std::endian::native == std::endian::little);
+    check_end();
+    file_ = tag;
+  }
+
+  /// Numbers whose text is cut short are still numbers.
+  void check_end() const {
+    constexpr std::string_view end_tag = "</VTKFile";
+    const std::size_t at = document_.rfind(end_tag);
+    const std::size_t close =
+        at == document_.npos ? at
+                             : document_.find_first_not_of(blanks, at + end_tag.size());
+    if (close == document_.npos || document_[close] != '>')
+      fail("the file is cut short: it does not end with </VTKFile>");
+  }
+
+  void note_piece(const XmlTag& tag) {
+    if (has_piece_) fail("more than one piece; merge them into one");
+    has_piece_ = true;
+    num_nodes_ = piece_count(tag, "NumberOfPoints");
+    num_cells_ = piece_count(tag, "NumberOfCells");
+  }
+
+  [[nodiscard]] std::size_t piece_count(const XmlTag& tag, const char* attribute) const {
+    const auto count = parse_integer(tag.attribute(attribute));
+    if (!count || *count < 0 || *count > std::numeric_limits<std::int32_t>::max())
+      fail(std::string("its piece has no ") + attribute + " between 0 and 2147483647");
+    return static_cast<std::size_t>(*count);
   }
 
   void note_array(std::string_view section, const XmlTag& tag) {
@@ -113,29 +104,47 @@ class VtuReader {
   }
 
   void note_appended(const XmlTag& tag) {
-    is_appended_raw_ = tag.attribute("encoding") == "raw";
-    const std::size_t mark = tag.rest.find('_');
-    if (mark == std::string_view::npos) fail("its appended data have no beginning");
-    appended_ = tag.rest.substr(mark + 1);
+    const std::string_view encoding = tag.attribute("encoding");
+    if (encoding != "raw" && encoding != "base64" && !encoding.empty())
+      fail("its appended data are encoded as '" + excerpt(encoding) +
+           "', neither raw nor base64");
+    if (encoding == "raw") appended_encoding_ = PackedArray::Encoding::raw;
+    const std::size_t mark = tag.rest.find_first_not_of(blanks);
+    if (mark == std::string_view::npos || tag.rest[mark] != '_')
+      fail("its appended data do not begin with _");
+    const std::size_t end = tag.rest.rfind("</AppendedData");
+    if (end == std::string_view::npos) fail("its appended data have no end");
+    appended_ = tag.rest.substr(mark + 1, end - mark - 1);
   }
 
   [[nodiscard]] std::vector<double> numbers(const std::optional<XmlTag>& array,
-                                            const char* what) const {
+                                            const char* what, std::size_t count) const {
     if (!array) fail(std::string("there is no array of ") + what);
     const std::string_view format = array->attribute("format");
-    if (format == "ascii" || format.empty()) return ascii_numbers(array->content());
-    if (is_compressed_) fail("its data are compressed; write them without compression");
-    if (!is_native_) fail("its data have the other byte order; write them as ascii");
-    const bool is_appended = format == "appended";
-    const std::string bytes =
-        is_appended ? appended_block(*array) : base64_block(array->content());
-    auto result = decoded(array->attribute("type"), bytes);
-    if (!result)
-      fail("'" + excerpt(array->attribute("type")) + "' is no type of numbers");
-    return *result;
+    if (format == "ascii" || format.empty())
+      return ascii_numbers(text_of(*array), what, count);
+    PackedArray packed{.name = name_ + ": the array of " + what};
+    if (format == "binary") {
+      packed.text = text_of(*array);
+    } else if (format == "appended") {
+      packed.text = appended_from(*array);
+      packed.encoding = appended_encoding_;
+    } else {
+      fail("'" + excerpt(format) + "' is no format of an array");
+    }
+    return unpacked_numbers(packed, vtk_packing(*file_, name_), array->attribute("type"),
+                            count);
   }
 
-  [[nodiscard]] std::vector<double> ascii_numbers(std::string_view content) const {
+  /// What an array holds before any element inside it: VTK ends it with InformationKey.
+  [[nodiscard]] static std::string_view text_of(const XmlTag& array) {
+    const std::string_view content = array.content();
+    return content.substr(0, content.find('<'));
+  }
+
+  [[nodiscard]] std::vector<double> ascii_numbers(std::string_view content,
+                                                  const char* what,
+                                                  std::size_t count) const {
     TextCursor cursor(name_, content);
     std::vector<double> result;
     while (const auto word = cursor.word()) {
@@ -144,55 +153,41 @@ class VtuReader {
         fail("'" + excerpt(*word) + "' is not a finite number");
       result.push_back(number.value);
     }
+    if (result.size() != count)
+      fail(std::string("the array of ") + what + " holds " +
+           std::to_string(result.size()) + " numbers, and " + std::to_string(count) +
+           " are due");
     return result;
   }
 
-  [[nodiscard]] std::size_t header_bytes() const { return is_header_long_ ? 8 : 4; }
-
-  /// The number of bytes that a block announces in front.
-  [[nodiscard]] std::size_t announced(std::string_view header, std::size_t most) const {
-    if (header.size() < header_bytes()) fail("a block of data is cut short");
-    std::uint64_t size = 0;
-    std::uint32_t short_size = 0;
-    if (is_header_long_) {
-      std::memcpy(&size, header.data(), 8);
-    } else {
-      std::memcpy(&short_size, header.data(), 4);
-      size = short_size;
-    }
-    if (size > most)
-      fail("a block of data announces " + std::to_string(size) + " bytes; at most " +
-           std::to_string(most) + " are there");
-    return static_cast<std::size_t>(size);
-  }
-
-  [[nodiscard]] std::string base64_block(std::string_view text) const {
-    const std::size_t size = announced(decode_base64(text, header_bytes()), text.size());
-    const std::string bytes = decode_base64(text, header_bytes() + size);
-    if (bytes.size() < header_bytes() + size) fail("a block of data is cut short");
-    return bytes.substr(header_bytes());
-  }
-
-  [[nodiscard]] std::string appended_block(const XmlTag& array) const {
+  [[nodiscard]] std::string_view appended_from(const XmlTag& array) const {
     const auto offset = parse_integer(array.attribute("offset"));
     if (!offset || *offset < 0 || *offset > std::ssize(appended_))
       fail("an array's offset lies outside the appended data");
-    const std::string_view block = appended_.substr(static_cast<std::size_t>(*offset));
-    if (!is_appended_raw_) return base64_block(block);
-    const std::size_t size = announced(block, block.size());
-    if (block.size() < header_bytes() + size) fail("a block of data is cut short");
-    return std::string(block.substr(header_bytes(), size));
+    return appended_.substr(static_cast<std::size_t>(*offset));
+  }
+
+  void read_points() {
+    const std::vector<double> coordinates = numbers(points_, "points", 3 * num_nodes_);
+    std::vector<SpacePoint> points;
+    for (std::size_t i = 0; i < coordinates.size(); i += 3)
+      points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+    for (const double coordinate : coordinates)
+      if (!std::isfinite(coordinate)) fail("a coordinate is not finite");
+    take_points(mesh_, points);
   }
 
   void read_cells() {
-    const std::vector<double> corners = numbers(connectivity_, "connectivity");
-    const std::vector<double> ends = numbers(offsets_, "offsets");
-    const std::vector<double> types = numbers(types_, "types");
-    if (types.size() != ends.size()) fail("there are not as many types as cells");
+    const std::vector<double> ends = numbers(offsets_, "offsets", num_cells_);
+    const std::vector<double> types = numbers(types_, "types", num_cells_);
+    const double num_corners = ends.empty() ? 0 : ends.back();
+    if (!(num_corners >= 0 && num_corners < most_numbers) ||
+        num_corners != std::floor(num_corners))
+      fail("the last of its offsets is no number of corners");
+    const std::vector<double> corners =
+        numbers(connectivity_, "connectivity", static_cast<std::size_t>(num_corners));
     for (const double corner : corners) add_corner(corner);
     for (std::size_t i = 0; i < ends.size(); ++i) end_cell(ends[i], types[i]);
-    if (mesh_.offsets.back() != std::ssize(mesh_.corners))
-      fail("the cells do not use up the connectivity");
   }
 
   void add_corner(double corner) {
@@ -216,9 +211,10 @@ class VtuReader {
 
   std::string name_;
   std::string_view document_, appended_;
-  std::optional<XmlTag> points_, connectivity_, offsets_, types_;
-  bool is_compressed_ = false, is_header_long_ = false, is_native_ = true,
-       is_appended_raw_ = false;
+  PackedArray::Encoding appended_encoding_ = PackedArray::Encoding::base64;
+  std::optional<XmlTag> file_, points_, connectivity_, offsets_, types_;
+  bool has_piece_ = false;
+  std::size_t num_nodes_ = 0, num_cells_ = 0;
   Mesh mesh_;
 };
 

@@ -15,6 +15,7 @@
 #include "stripack/defect.hpp"
 #include "support/exact.hpp"
 #include "support/random.hpp"
+#include "support/same_mesh.hpp"
 #include "support/sphere_sets.hpp"
 
 namespace delone::stripack {
@@ -74,6 +75,19 @@ TEST(SphereConstrained, WithoutArcsIsTheDelaunayTriangulation) {
     const ConstrainedTriangulation t(graph, {.domain = Domain::hull});
     EXPECT_EQ(t.triangles(), Triangulation(graph.points).triangles()) << family.name;
     EXPECT_EQ(defect_of(t), "none") << family.name;
+  }
+}
+
+// 5000 points are more than one block of the builder.
+TEST(SphereConstrained, WithoutArcsHasTheFacesOfTheNeighborLists) {
+  for (const auto& family : support::sphere_families()) {
+    for (const std::size_t n : {4U, 17U, 150U, 5000U}) {
+      const SphereGraph graph{.points = family.make(n, 5)};
+      const ConstrainedTriangulation t(graph, {.domain = Domain::hull});
+      const auto lists = Triangulation(graph.points).adjacency();
+      EXPECT_TRUE(support::is_same_mesh(t.mesh(), ClosedMesh::from(lists)))
+          << family.name << " " << n;
+    }
   }
 }
 

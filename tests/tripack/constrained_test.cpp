@@ -1,44 +1,31 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "delaunay/error.hpp"
 #include "support/exact.hpp"
 #include "support/planar_graphs.hpp"
 #include "support/plane_sets.hpp"
 #include "support/random.hpp"
-#include "tripack/constrained_defect.hpp"
+#include "support/same_mesh.hpp"
+#include "tripack/constrained_samples.hpp"
 #include "tripack/constrained_triangulation.hpp"
 #include "tripack/defect.hpp"
 
 namespace delone::tripack {
 namespace {
 
+using samples::defect_of;
+using samples::only;
+using samples::splitting;
 using support::SplitMix64;
 using Segment = std::array<Node, 2>;
-
-ConstraintOptions splitting(Domain domain = Domain::hull) {
-  return {.domain = domain, .crossings = Crossings::split};
-}
-
-ConstraintOptions only(Domain domain) { return {.domain = domain}; }
-
-std::string defect_of(const ConstrainedTriangulation& t) {
-  return find_defect(t).value_or("none");
-}
-
-double twice_area(const ConstrainedTriangulation& t) {
-  double sum = 0;
-  for (const auto& [i, j, k] : t.triangles()) {
-    const Point2 a = t.point(i), b = t.point(j), c = t.point(k);
-    sum += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  }
-  return sum;
-}
 
 /// Triangles and regions by position.
 using Corners = std::array<std::array<double, 2>, 3>;
@@ -193,6 +180,19 @@ TEST(Constrained, WithoutSegmentsIsTheDelaunayTriangulation) {
     EXPECT_EQ(t.triangles(), Triangulation(graph.points).triangles()) << family.name;
     EXPECT_EQ(defect_of(t), "none") << family.name;
     EXPECT_EQ(ConstrainedTriangulation(graph).num_triangles(), 0) << family.name;
+  }
+}
+
+// 5000 points are more than one block of the builder.
+TEST(Constrained, WithoutSegmentsHasTheFacesOfTheNeighborLists) {
+  for (const auto& family : support::plane_families()) {
+    for (const std::size_t n : {4U, 17U, 150U, 5000U}) {
+      const PlanarGraph graph{.points = family.make(n, 5)};
+      const ConstrainedTriangulation t(graph, only(Domain::hull));
+      const auto lists = Triangulation(graph.points).adjacency();
+      EXPECT_TRUE(support::is_same_mesh(t.mesh(), ClosedMesh::from(lists)))
+          << family.name << " " << n;
+    }
   }
 }
 
@@ -410,83 +410,6 @@ TEST(Constrained, SplitsAtBothEndsOfTheRangeOfDoubles) {
   }
 }
 
-TEST(Constrained, IslandsInLakesInIslandsAlternate) {
-  PlanarGraph graph;
-  for (const double half : {8.0, 6.0, 4.0, 2.0})
-    support::add_ring(graph, support::square_ring({0, 0}, half));
-  const ConstrainedTriangulation rings(graph, only(Domain::even_odd));
-  EXPECT_EQ(twice_area(rings) / 2, 256 - 144 + 64 - 16);
-  EXPECT_EQ(rings.regions().size(), 2U);
-  const ConstrainedTriangulation whole(graph);
-  EXPECT_EQ(twice_area(whole) / 2, 256);
-  EXPECT_EQ(whole.regions().size(), 4U);
-}
-
-TEST(Constrained, RingsThatShareASideAreBothInside) {
-  PlanarGraph graph;
-  support::add_ring(graph, {{0, 0}, {2, 0}, {2, 2}, {0, 2}});
-  support::add_ring(graph, {{2, 1}, {4, 1}, {4, 3}, {2, 3}});  // shares half a side
-  const ConstrainedTriangulation t(graph, only(Domain::even_odd));
-  EXPECT_EQ(twice_area(t) / 2, 8);
-  EXPECT_EQ(t.regions().size(), 2U);
-  EXPECT_EQ(defect_of(t), "none");
-}
-
-TEST(Constrained, SeveralOutlinesKeepWhatEachEncloses) {
-  PlanarGraph graph;
-  support::add_ring(graph, support::square_ring({0, 0}, 1));
-  support::add_ring(graph, support::square_ring({10, 3}, 2));
-  const ConstrainedTriangulation t(graph);
-  EXPECT_EQ(twice_area(t) / 2, 4 + 16);
-  EXPECT_EQ(t.regions().size(), 2U);
-}
-
-TEST(Constrained, HolesAreLeftOutAndKeptWithTheHull) {
-  PlanarGraph graph;
-  support::add_ring(graph, support::square_ring({0, 0}, 4));
-  support::add_ring(graph, support::square_ring({0, 0}, 1));
-  graph.holes = {{0.25, 0.125}, {99, 99}};  // outside the hull there is nothing to remove
-  EXPECT_EQ(twice_area(ConstrainedTriangulation(graph)) / 2, 64 - 4);
-  EXPECT_EQ(twice_area(ConstrainedTriangulation(graph, only(Domain::hull))) / 2, 64);
-}
-
-TEST(Constrained, RegionsAreNumberedAndNamedByTheirPoints) {
-  PlanarGraph graph;
-  support::add_ring(graph, support::square_ring({0, 0}, 4));
-  support::add_ring(graph, support::square_ring({0, 0}, 1));
-  graph.regions = {{{3, 3}, 7}, {{0, 0.5}, 9}, {{0.5, 0}, 11}};
-  const ConstrainedTriangulation t(graph);
-  ASSERT_EQ(t.regions().size(), 2U);
-  const auto inner = t.region_of(t.find_face({0.25, 0.5}));
-  const auto outer = t.region_of(t.find_face({3.5, 3}));
-  ASSERT_NE(inner, outer);
-  EXPECT_EQ(t.regions()[static_cast<std::size_t>(inner)].attribute,
-            9);  // the first of two
-  EXPECT_EQ(t.regions()[static_cast<std::size_t>(inner)].seed, 1);
-  EXPECT_EQ(t.regions()[static_cast<std::size_t>(outer)].attribute, 7);
-  EXPECT_EQ(t.regions()[0].num_triangles + t.regions()[1].num_triangles,
-            t.num_triangles());
-  const auto labels = t.triangle_regions();
-  EXPECT_EQ(std::count(labels.begin(), labels.end(), inner),
-            t.regions()[static_cast<std::size_t>(inner)].num_triangles);
-}
-
-TEST(Constrained, HoleOnASegmentIsAnError) {
-  PlanarGraph graph;
-  support::add_ring(graph, support::square_ring({0, 0}, 4));
-  graph.holes = {{4, 1}};
-  EXPECT_THROW(ConstrainedTriangulation{graph}, Error);
-  graph.holes = {{4, 4}};
-  EXPECT_THROW(ConstrainedTriangulation{graph}, Error);
-}
-
-TEST(Constrained, OpenRingsHaveNoInsideByCounting) {
-  PlanarGraph graph;
-  graph.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
-  graph.segments = {{0, 4}};
-  EXPECT_THROW(ConstrainedTriangulation(graph, only(Domain::even_odd)), Error);
-}
-
 TEST(Constrained, CollinearPointsHaveDividedSegmentsAndNoTriangles) {
   PlanarGraph graph;
   graph.points = {{3, 3}, {0, 0}, {1, 1}, {2, 2}};
@@ -521,19 +444,6 @@ TEST(Constrained, RefusesRowsThatAreNotThere) {
   graph.segments = {};
   graph.holes = {{std::nan(""), 0}};
   EXPECT_THROW(ConstrainedTriangulation{graph}, Error);
-}
-
-TEST(Constrained, LocatesInTheDomainOnly) {
-  PlanarGraph graph;
-  support::add_ring(graph, {{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}});
-  const ConstrainedTriangulation t(graph);
-  EXPECT_EQ(t.locate({2, 3}).kind, Location::Kind::outside);  // in the hull, not inside
-  EXPECT_EQ(t.locate({9, 9}).kind, Location::Kind::outside);
-  EXPECT_EQ(t.locate({4, 4}).kind, Location::Kind::node);
-  EXPECT_EQ(t.locate({4, 4}).nodes[0], 2);
-  EXPECT_EQ(t.locate({2, 0}).kind, Location::Kind::edge);
-  EXPECT_EQ(t.locate({0.5, 1}, 2).kind, Location::Kind::triangle);
-  EXPECT_EQ(t.find_face({9, 9}), delaunay::none);
 }
 
 TEST(Constrained, DefectIsFoundWhereATriangulationIsNotTheRightOne) {
