@@ -72,7 +72,7 @@ class ConstrainedTriangulation {
 
   /// Throws Error: an arc without its point, an arc between antipodes, arcs that cross
   /// (Crossings::error), arcs that do not form rings (Domain::even_odd), a domain beyond
-  /// the hull, too many points.
+  /// the hull, too many points or segments.
   explicit ConstrainedTriangulation(const SphereGraph& graph,
                                     const SphereConstraintOptions& options = {},
                                     const RunOptions& run = {});

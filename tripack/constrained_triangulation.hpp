@@ -54,7 +54,7 @@ class ConstrainedTriangulation {
 
   /// Throws Error: a coordinate that is not finite, a segment without its point,
   /// segments that cross (Crossings::error), segments that do not form rings
-  /// (Domain::even_odd), too many points.
+  /// (Domain::even_odd), too many points or segments.
   explicit ConstrainedTriangulation(const PlanarGraph& graph,
                                     const ConstraintOptions& options = {},
                                     const RunOptions& run = {});
