@@ -9,6 +9,7 @@
 #include "cli/constraints.hpp"
 #include "cli/output.hpp"
 #include "cli/points.hpp"
+#include "io/mesh.hpp"
 #include "io/output_file.hpp"
 #include "io/triangle_file.hpp"
 #include "stripack/constrained_list_defect.hpp"
@@ -223,7 +224,22 @@ ExitCode report(const Settings& settings, const Points& points, const Verdict& v
   return ExitCode::check_failed;
 }
 
-ExitCode run(const Settings& settings, Reporter& reporter) {
+/// A mesh file holds its own points. Unit vectors would be rounded to degrees on the way.
+std::string own_triangles(const Settings& settings) {
+  const std::string& path = settings.points.path;
+  if (!holds_mesh(path))
+    throw UsageError(
+        "TRIANGLES is required where POINTS is no mesh; see delone check --help");
+  if (io::file_format(path) != "nc" &&
+      io::read_mesh(path).space == io::Mesh::Space::globe)
+    throw Error(path +
+                ": its nodes are unit vectors, which as degrees would be rounded; give "
+                "the points as a table in degrees");
+  return path;
+}
+
+ExitCode run(Settings settings, Reporter& reporter) {
+  if (settings.triangles.empty()) settings.triangles = own_triangles(settings);
   check_inputs(settings.points.path, settings.triangles);
   if (has_segments(settings.points.path, settings.constraints)) {
     check_inputs(settings.constraints.path, settings.triangles);
@@ -250,12 +266,13 @@ Command add_check_command(CLI::App& program) {
   app.add_option(
          "TRIANGLES", settings->triangles,
          "A .tri, .ele, .adj, .renka, .off, .ply, .vtu or UGRID .nc file, or what "
-         "Qhull's options i and Fv print, or in a file .o what its option o prints")
-      ->required()
+         "Qhull's options i and Fv print, or in a file .o what its option o prints; not "
+         "needed if POINTS is a mesh")
       ->type_name("");
   app.get_option("POINTS")->description(
-      "Table of points: CSV, TSV, blanks or .node; - reads standard input; or a .poly "
-      "file with points and segments");
+      "Table of points: CSV, TSV, blanks or .node; - reads standard input; a .poly file "
+      "with points and segments; or a mesh (.off, .ply, .vtu, UGRID .nc), checked alone "
+      "if no TRIANGLES are named");
   add_domain_options(app, settings->constraints);
   app.footer(
       "Exact: no tolerance. Ties (four points on a circle) may be broken either way. "
@@ -267,6 +284,7 @@ Command add_check_command(CLI::App& program) {
       "the constraints are numbered after the data rows, as `delone triangulate` "
       "does.\n\n"
       "Example:\n  delone check stations.csv stations.tri\n"
+      "  delone check mesh.vtu\n"
       "  delone check lake.poly lake.ele");
   return {&app, [settings](Reporter& reporter) { return run(*settings, reporter); }};
 }

@@ -61,10 +61,13 @@ void add_table_options(CLI::App& app, PointSettings& settings) {
 }
 
 void add_point_options(CLI::App& app, PointSettings& settings, Values values) {
-  app.add_option("POINTS", settings.path,
-                 "Table of points: CSV, TSV or blanks; - reads standard input")
-      ->required()
-      ->type_name("");
+  const char* const about =
+      values == Values::needed
+          ? "Table of points: CSV, TSV or blanks; - reads standard input"
+          : "Table of points: CSV, TSV or blanks; - reads standard input; or a mesh "
+            "(.off, "
+            ".ply, .vtu, UGRID .nc), for its nodes";
+  app.add_option("POINTS", settings.path, about)->required()->type_name("");
   add_table_options(app, settings);
   if (values != Values::ignored) {
     app.add_option("--value", settings.columns.value, "Column of the values")

@@ -5,13 +5,31 @@
 #include <limits>
 #include <string_view>
 
+#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
+#include "io/mesh.hpp"
 #include "io/output_file.hpp"
 #include "stripack/merge_near.hpp"
 #include "tripack/merge_near.hpp"
 
 namespace delone::cli {
 namespace {
+
+io::PointTable nodes_of(const PointSettings& settings, io::Mesh mesh) {
+  const io::TableOptions& columns = settings.columns;
+  if (!columns.x.empty() || !columns.y.empty() || !columns.value.empty())
+    throw UsageError(settings.path + " is a mesh; columns are chosen in tables");
+  if (columns.needs_value)
+    throw Error(settings.path + ": a mesh has no values here; give a table with them");
+  io::PointTable table;
+  table.num_rows = mesh.num_nodes();
+  table.x = std::move(mesh.x);
+  table.y = std::move(mesh.y);
+  table.is_lonlat = mesh.space == io::Mesh::Space::globe;
+  table.x_name = table.is_lonlat ? "longitude" : "x";
+  table.y_name = table.is_lonlat ? "latitude" : "y";
+  return table;
+}
 
 void say_columns(const Points& points, const Reporter& reporter) {
   const io::PointTable& table = points.table;
@@ -101,6 +119,11 @@ void merge_near(Points& points, double distance, const Reporter& reporter) {
 
 }  // namespace
 
+bool holds_mesh(const std::string& path) {
+  const std::string format = io::file_format(path);
+  return io::is_mesh_format(format) && (format != "nc" || io::holds_ugrid(path));
+}
+
 Points read_points(const PointSettings& settings, Reporter& reporter) {
   if (settings.path.ends_with(".poly"))
     throw Error(
@@ -112,9 +135,12 @@ Points read_points(const PointSettings& settings, Reporter& reporter) {
     throw Error(settings.path +
                 ": GeoJSON is for --constraints of `delone triangulate` and `delone "
                 "check`; give a table of points here");
-  Points points{settings.path, {}, Domain::plane, settings.duplicates};
-  points.table = reporter.timed(
-      Phase::read, [&] { return io::read_table(settings.path, settings.columns); });
+  Points points{
+      settings.path, {}, Domain::plane, settings.duplicates, holds_mesh(settings.path)};
+  points.table = reporter.timed(Phase::read, [&] {
+    return points.are_mesh_nodes ? nodes_of(settings, io::read_mesh(settings.path))
+                                 : io::read_table(settings.path, settings.columns);
+  });
   points.domain =
       settings.domain.value_or(points.table.is_lonlat ? Domain::sphere : Domain::plane);
   reporter.count_points(points.size());
@@ -138,9 +164,9 @@ std::string display_name(const std::string& path) {
 Error located(const Points& points, const Error& error) {
   std::string place = display_name(points.path);
   if (!error.rows().empty()) {
-    place +=
-        fmt::format(": line {}",
-                    points.table.line_of(static_cast<std::size_t>(error.rows().front())));
+    const auto row = static_cast<std::size_t>(error.rows().front());
+    place += points.are_mesh_nodes ? fmt::format(": node {}", row)
+                                   : fmt::format(": line {}", points.table.line_of(row));
   }
   return Error(fmt::format("{}: {}", place, error.what()),
                std::vector<std::int64_t>(error.rows().begin(), error.rows().end()));

@@ -23,6 +23,7 @@ struct Points {
   io::PointTable table;
   Domain domain = Domain::plane;
   interp::Duplicates duplicates = interp::Duplicates::mean;
+  bool are_mesh_nodes = false;  ///< rows are nodes, without lines
 
   [[nodiscard]] std::int64_t size() const noexcept {
     return static_cast<std::int64_t>(table.x.size());
@@ -30,8 +31,12 @@ struct Points {
   [[nodiscard]] bool is_on_plane() const noexcept { return domain == Domain::plane; }
 };
 
-/// Reads the table and says in one line which columns were taken and what was dropped.
-/// Throws io::ReadError.
+/// Does a file hold nodes and cells (OFF, PLY, VTU, Qhull's o, UGRID)? By its extension;
+/// NetCDF is looked into.
+[[nodiscard]] bool holds_mesh(const std::string& path);
+
+/// Reads the table, or the nodes of a mesh, and says in one line which columns were taken
+/// and what was dropped. Throws io::ReadError.
 [[nodiscard]] Points read_points(const PointSettings& settings, Reporter& reporter);
 
 /// Kept row `row` as the number that outputs use: its data row in the file.

@@ -115,9 +115,8 @@ Command add_triangulate_command(CLI::App& program) {
   const auto settings = std::make_shared<Settings>();
   add_point_options(app, settings->points, Values::ignored);
   app.get_option("POINTS")->description(
-      "Table of points: CSV, TSV, blanks or .node; - reads standard input; or a .poly "
-      "file "
-      "with points and segments");
+      "Table of points: CSV, TSV, blanks or .node; - reads standard input; a .poly file "
+      "with points and segments; or a mesh (.off, .ply, .vtu, UGRID .nc), for its nodes");
   add_domain_options(app, settings->constraints);
   add_refinement_options(app, settings->constraints);
   add_triangle_output_options(app, settings->output);
