@@ -1,7 +1,11 @@
 // Time and memory of building, beside CGAL on the same points in the same run.
 //
 //   taskset -c 0 build_bench [--json] [--points N] [--repeats R] [--only SET] [--threads
-//   T]
+//   T] [--series S]
+//
+// A series is S different sets of N points, each built and dropped before the next: small
+// sets are what processors learn by heart, branches and all, if one is built again and
+// again.
 //
 // Medians of R builds (5), by the clock and of processor time; memory of a first one.
 // CGAL is compiled with -march=native, delone as it ships. Every measurement runs in a
@@ -37,6 +41,7 @@ struct Settings {
   std::size_t num_points = 1000000;
   int repeats = 5;
   int num_threads = 1;
+  std::uint64_t series = 0;  ///< 0: no series
   std::string only;
 };
 
@@ -59,6 +64,35 @@ Builder ours(std::shared_ptr<const Points> points, int num_threads) {
 template <class Points>
 std::int64_t num(const Points& points) {
   return static_cast<std::int64_t>(points.size());
+}
+
+Builder in_turn(std::vector<Builder> builders) {
+  return [builders = std::move(builders)] {
+    Built all;
+    for (const Builder& build : builders) all.num_triangles += build().num_triangles;
+    return all;
+  };
+}
+
+// Different uniform sets, one after the other.
+Case series_case(const Settings& s) {
+  const auto job = [=](const std::function<Builder(const PlanePoints&)>& builder) {
+    std::vector<Builder> builders;
+    for (std::uint64_t k = 1; k <= s.series; ++k)
+      builders.push_back(builder(support::uniform_points(s.num_points, k)));
+    return Job{static_cast<std::int64_t>(s.num_points * s.series),
+               in_turn(std::move(builders))};
+  };
+  return {"uniform, series",
+          [=] {
+            return job([&](const PlanePoints& points) {
+              return ours<tripack::Triangulation>(
+                  std::make_shared<const PlanePoints>(points), s.num_threads);
+            });
+          },
+          {{"Delaunay_triangulation_2", [=] {
+              return job([](const PlanePoints& points) { return cgal_plane(points); });
+            }}}};
 }
 
 Case plane_case(const std::string& name, std::function<PlanePoints()> make,
@@ -94,6 +128,7 @@ Case sphere_case(const std::string& name, std::function<SpherePoints()> make,
 
 std::vector<Case> cases(const Settings& s) {
   const std::size_t n = s.num_points;
+  if (s.series > 0) return {series_case(s)};
   return {plane_case(
               "uniform", [=] { return support::uniform_points(n, 1); }, s),
           plane_case(
@@ -166,6 +201,7 @@ Settings parse(int argc, char** argv) {
     if (option == "--points") s.num_points = std::strtoull(value, nullptr, 10);
     if (option == "--repeats") s.repeats = std::atoi(value);
     if (option == "--threads") s.num_threads = std::atoi(value);
+    if (option == "--series") s.series = std::strtoull(value, nullptr, 10);
     if (option == "--only") s.only = value;
     ++i;
   }
