@@ -118,14 +118,37 @@ class RadixPass {
   std::vector<Counts> counts_;
 };
 
+/// Few items: four digits of eight bits, all counted at once. A sort by comparisons would
+/// mispredict half of them.
+void sort_few(Buffer<KeyedRow>& items) {
+  constexpr std::size_t num_small_buckets = 256;
+  const auto small_digit = [](KeyedRow item, std::size_t pass) {
+    return static_cast<std::size_t>(item >> (32 + 8 * pass)) & (num_small_buckets - 1);
+  };
+  std::array<std::array<std::uint32_t, num_small_buckets>, 4> places{};
+  for (const KeyedRow item : items) {
+    for (std::size_t pass = 0; pass < 4; ++pass) ++places[pass][small_digit(item, pass)];
+  }
+  Buffer<KeyedRow> sorted(items.size());
+  for (std::size_t pass = 0; pass < 4; ++pass) {
+    std::uint32_t start = 0;
+    for (std::uint32_t& place : places[pass]) place = std::exchange(start, start + place);
+    for (const KeyedRow item : items)
+      sorted[places[pass][small_digit(item, pass)]++] = item;
+    items.swap(sorted);
+  }
+}
+
 }  // namespace
 
 void sort_by_key(Buffer<KeyedRow>& items, const RunOptions& run) {
-  if (items.size() < num_buckets) {
+  constexpr std::size_t very_few = 48;
+  if (items.size() < very_few) {
     std::stable_sort(items.begin(), items.end(),
                      [](KeyedRow a, KeyedRow b) { return a >> 32 < b >> 32; });
     return;
   }
+  if (items.size() < num_buckets) return sort_few(items);
   constexpr std::size_t grain = 1u << 16;
   const std::size_t num_parts =
       std::min(items.size() / grain + 1, static_cast<std::size_t>(num_threads(run)));
