@@ -9,7 +9,6 @@
 #include "cli/constraints.hpp"
 #include "cli/output.hpp"
 #include "cli/points.hpp"
-#include "io/mesh.hpp"
 #include "io/output_file.hpp"
 #include "io/triangle_file.hpp"
 #include "stripack/constrained_list_defect.hpp"
@@ -224,30 +223,34 @@ ExitCode report(const Settings& settings, const Points& points, const Verdict& v
   return ExitCode::check_failed;
 }
 
-/// A mesh file holds its own points. Unit vectors would be rounded to degrees on the way.
+/// A mesh file holds its own points.
 std::string own_triangles(const Settings& settings) {
-  const std::string& path = settings.points.path;
-  if (!holds_mesh(path))
-    throw UsageError(
-        "TRIANGLES is required where POINTS is no mesh; see delone check --help");
-  if (io::file_format(path) != "nc" &&
-      io::read_mesh(path).space == io::Mesh::Space::globe)
-    throw Error(path +
+  if (holds_mesh(settings.points.path)) return settings.points.path;
+  throw UsageError(
+      "TRIANGLES is required where POINTS is no mesh; see delone check --help");
+}
+
+/// Unit vectors were rounded to degrees on the way.
+void refuse_unit_vectors(const Points& points) {
+  if (points.table.is_lonlat && io::file_format(points.path) != "nc")
+    throw Error(points.path +
                 ": its nodes are unit vectors, which as degrees would be rounded; give "
                 "the points as a table in degrees");
-  return path;
 }
 
 ExitCode run(Settings settings, Reporter& reporter) {
-  if (settings.triangles.empty()) settings.triangles = own_triangles(settings);
+  const bool is_alone = settings.triangles.empty();
+  if (is_alone) settings.triangles = own_triangles(settings);
   check_inputs(settings.points.path, settings.triangles);
   if (has_segments(settings.points.path, settings.constraints)) {
     check_inputs(settings.constraints.path, settings.triangles);
     const ConstrainedInput input =
         read_constrained(settings.points, settings.constraints.path, reporter);
+    if (is_alone) refuse_unit_vectors(input.points);
     return report(settings, input.points, judge_constrained(settings, input, reporter));
   }
   const Points points = read_points(settings.points, reporter);
+  if (is_alone) refuse_unit_vectors(points);
   const Verdict verdict = judge(settings, points, reporter);
   if (verdict.defect)
     reporter.say(

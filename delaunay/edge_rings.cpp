@@ -43,7 +43,7 @@ class ChunkWriter {
   void write_lists(Site end) {
     Site v = begin_;
     for (; v + FewWalks::num_walks <= end; v += FewWalks::num_walks) {
-      fetch_ahead(v);
+      FewWalks::fetch_ahead(edges_, num_edges_, v);
       write_few(v);
     }
     for (; v < end; ++v) write_any(v);
@@ -98,7 +98,8 @@ class ChunkWriter {
   // `previous` is not needed any more and takes the place of the arc in its list.
   void write_any(Site v) {
     lists_.offsets[at(v)] = arc_;
-    const std::int32_t start = lists_.is_boundary[at(v)] ? first_[v] : to_smallest(v);
+    const std::int32_t start =
+        lists_.is_boundary[at(v)] ? first_[v] : to_smallest(edges_, first_[v]);
     std::int32_t e = start, place = 0;
     do {
       lists_.neighbors[at(arc_)] = edges_[e].target;
@@ -108,24 +109,6 @@ class ChunkWriter {
       e = edges_[e].next;
     } while (e != start);
   }
-  [[nodiscard]] std::int32_t to_smallest(Site v) const {
-    const std::int32_t start = first_[v];
-    std::int32_t best = start;
-    for (std::int32_t e = edges_[start].next; e != start; e = edges_[e].next)
-      if (edges_[e].target < edges_[best].target) best = e;
-    return best;
-  }
-
-  // The half-edges of a site lie anywhere in its block, which is fetched as a whole, a
-  // piece with every few sites of the block before.
-  void fetch_ahead(Site v) const {
-    constexpr std::size_t line = 64 / sizeof(RingEdge), walks = FewWalks::num_walks;
-    const std::size_t first = 6 * (at(v) + at(ring_block_size));
-    if (first + 6 * walks > num_edges_) return;
-    for (std::size_t e = first; e < first + 6 * walks; e += line)
-      __builtin_prefetch(&edges_[e]);
-  }
-
   RingEdge* edges_;
   std::size_t num_edges_;
   const std::int32_t* first_;

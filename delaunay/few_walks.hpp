@@ -1,10 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "delaunay/edge_rings.hpp"
 
 namespace delone::delaunay {
+
+/// Of the half-edges in the ring of `start`, the one to the smallest site.
+[[nodiscard]] inline std::int32_t to_smallest(const RingEdge* edges, std::int32_t start) {
+  std::int32_t best = start;
+  for (std::int32_t e = edges[start].next; e != start; e = edges[e].next)
+    if (edges[e].target < edges[best].target) best = e;
+  return best;
+}
 
 /// The first steps around a few sites side by side: walks around one site after the other
 /// would wait for memory at every step.
@@ -25,6 +34,17 @@ class FewWalks {
       }
     }
     for (Site j = 0; j < num_walks; j += 4) find_places(j);
+  }
+
+  /// The half-edges of a site lie anywhere in its block, which is fetched as a whole, a
+  /// piece with every few sites of the block before.
+  static void fetch_ahead(const RingEdge* edges, std::size_t num_edges, Site begin) {
+    constexpr std::size_t line = 64 / sizeof(RingEdge), few = num_walks;
+    const std::size_t first =
+        6 * (static_cast<std::size_t>(begin) + static_cast<std::size_t>(ring_block_size));
+    if (first + 6 * few > num_edges) return;
+    for (std::size_t e = first; e < first + 6 * few; e += line)
+      __builtin_prefetch(&edges[e]);
   }
 
   /// Is all of walk j known: 4 to 8 neighbours, each passed at most twice?

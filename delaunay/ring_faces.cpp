@@ -82,7 +82,7 @@ class FaceWriter {
     constexpr Site few = FewWalks::num_walks;
     Site v = 0;
     for (; v + few <= num_sites_; v += few) {
-      fetch_ahead(v);
+      FewWalks::fetch_ahead(ring_, rings_.edges.size(), v);
       write_few(v);
     }
     for (; v < num_sites_; ++v) {
@@ -138,7 +138,8 @@ class FaceWriter {
   // from one side of the outside to the other.
   void write_any(Site v) {
     const bool is_boundary = is_boundary_[at(v)];
-    const std::int32_t start = is_boundary ? rings_.first[at(v)] : to_smallest(v);
+    const std::int32_t start =
+        is_boundary ? rings_.first[at(v)] : to_smallest(ring_, rings_.first[at(v)]);
     std::int32_t e = start;
     do {
       const std::int32_t after = ring_[e].next;
@@ -153,14 +154,6 @@ class FaceWriter {
       e = after;
     } while (e != start);
   }
-  [[nodiscard]] std::int32_t to_smallest(Site v) const {
-    const std::int32_t start = rings_.first[at(v)];
-    std::int32_t best = start;
-    for (std::int32_t e = ring_[start].next; e != start; e = ring_[e].next)
-      if (ring_[e].target < ring_[best].target) best = e;
-    return best;
-  }
-
   // Joins new triangles to those before.
   void join_from(std::int32_t first) {
     RingEdge* const ring = ring_;
@@ -176,14 +169,6 @@ class FaceWriter {
       }
     }
   }
-  void fetch_ahead(Site v) const {
-    constexpr std::size_t line = 64 / sizeof(RingEdge), walks = FewWalks::num_walks;
-    const std::size_t first = 6 * (at(v) + at(ring_block_size));
-    if (first + 6 * walks > rings_.edges.size()) return;
-    for (std::size_t e = first; e < first + 6 * walks; e += line)
-      __builtin_prefetch(&ring_[e]);
-  }
-
   void write_ghost_faces() {
     for (std::size_t i = 0; i < hull_.size(); ++i)
       ring_[hull_[i] ^ 1].previous = ClosedMesh::half_edge(ghosts_[i], 0);

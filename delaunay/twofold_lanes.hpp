@@ -11,6 +11,11 @@ struct Twofold4 {
   [[nodiscard, gnu::always_inline]] Double4 rounded() const { return high + low; }
 };
 
+/// What four candidates look like from a base: see the geometries of DivideConquer.
+struct TwofoldLanes {
+  Twofold4 cross, dot;
+};
+
 /// Arithmetic of twice the precision, without a branch. With u = 2^-53, let M and N bound
 /// the magnitudes of the operands (of the terms they are made of, whatever cancels), p u
 /// M and q u N their `low`. Results, errors in u^2 times their magnitude and beside those

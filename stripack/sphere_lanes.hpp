@@ -122,9 +122,7 @@ class SphereLanes {
     return 48 * 0x1p-53 * (size_x * size_y) + 0x1p-99 * (size_x + size_y) + 0x1p-1000;
   }
 
-  struct TwofoldLanes {
-    delaunay::Twofold4 cross, dot;
-  };
+  using TwofoldLanes = delaunay::TwofoldLanes;
   [[gnu::always_inline]] static TwofoldLanes twofold_lanes(const Corner& a,
                                                            const Corner& b,
                                                            const Corner& x) noexcept {

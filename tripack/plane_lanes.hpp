@@ -118,9 +118,7 @@ class PlaneLanes {
     return product <= exact_product_ ? Double4{} : error;
   }
 
-  struct TwofoldLanes {
-    delaunay::Twofold4 cross, dot;
-  };
+  using TwofoldLanes = delaunay::TwofoldLanes;
   [[gnu::always_inline]] static TwofoldLanes twofold_lanes(const Corner& a,
                                                            const Corner& b,
                                                            const Corner& x) noexcept {

@@ -17,6 +17,7 @@
 #include "io/byte_order.hpp"
 #include "io/memory_file.hpp"
 #include "io/mesh.hpp"
+#include "io/read_or_refuse.hpp"
 #include "io/table.hpp"
 #include "io/temporary_folder.hpp"
 
@@ -24,7 +25,6 @@ namespace delone::io {
 namespace {
 
 using test::MemoryFile;
-using test::message_of;
 
 std::string word(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
@@ -59,30 +59,12 @@ std::string square(std::string_view first_line = "OFF BINARY\n",
          words({4, 0, 1, 2, 3, 0});
 }
 
-std::optional<Mesh> read_or_refuse(const MemoryFile& file) {
-  try {
-    return read_mesh(file.path(), "off");
-  } catch (const ReadError& error) {
-    const std::string message = error.what();
-    EXPECT_EQ(message.find('\n'), message.npos) << message;
-    EXPECT_TRUE(message.starts_with(file.path() + ": ")) << message;
-    return std::nullopt;
-  }
+template <class Content>
+std::optional<Mesh> read_or_refuse(const Content& content) {
+  return test::read_or_refuse(content, "off");
 }
-
-std::optional<Mesh> read_or_refuse(const std::string& content) {
-  const MemoryFile file;
-  file.put(content);
-  return read_or_refuse(file);
-}
-
-/// The message without the name of the file.
 std::string complaint(const std::string& content) {
-  const MemoryFile file;
-  file.put(content);
-  const std::string message =
-      message_of<ReadError>([&] { return read_mesh(file.path(), "off"); });
-  return message.substr(std::min(message.size(), file.path().size() + 2));
+  return test::complaint(content, "off");
 }
 
 void expect_square(const std::optional<Mesh>& mesh) {

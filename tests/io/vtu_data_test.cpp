@@ -13,6 +13,7 @@
 
 #include "io/memory_file.hpp"
 #include "io/mesh.hpp"
+#include "io/read_or_refuse.hpp"
 #include "io/table.hpp"
 #include "io/temporary_folder.hpp"
 #include "io/vtu_writer.hpp"
@@ -22,7 +23,6 @@ namespace {
 
 using test::encoded;
 using test::MemoryFile;
-using test::message_of;
 using test::Packed;
 using test::packed;
 using test::square_arrays;
@@ -40,31 +40,12 @@ bool is_square(const Mesh& mesh) {
          mesh.offsets == std::vector<std::int64_t>{0, 3, 6};
 }
 
-/// The mesh; nothing if the file is refused, which must take one line and name the file.
-std::optional<Mesh> read_or_refuse(const MemoryFile& file) {
-  try {
-    return read_mesh(file.path(), "vtu");
-  } catch (const ReadError& error) {
-    const std::string message = error.what();
-    EXPECT_EQ(message.find('\n'), message.npos) << message;
-    EXPECT_TRUE(message.starts_with(file.path() + ": ")) << message;
-    return std::nullopt;
-  }
+template <class Content>
+std::optional<Mesh> read_or_refuse(const Content& content) {
+  return test::read_or_refuse(content, "vtu");
 }
-
-std::optional<Mesh> read_or_refuse(const std::string& content) {
-  const MemoryFile file;
-  file.put(content);
-  return read_or_refuse(file);
-}
-
-/// The message without the name of the file.
 std::string complaint(const std::string& content) {
-  const MemoryFile file;
-  file.put(content);
-  const std::string message =
-      message_of<ReadError>([&] { return read_mesh(file.path(), "vtu"); });
-  return message.substr(std::min(message.size(), file.path().size() + 2));
+  return test::complaint(content, "vtu");
 }
 
 std::vector<VtuStyle> all_styles() {

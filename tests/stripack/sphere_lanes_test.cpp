@@ -8,38 +8,15 @@
 #include "delaunay/instruction_set.hpp"
 #include "support/exact.hpp"
 #include "support/random.hpp"
+#include "support/twofold_signs.hpp"
 
 namespace delone::stripack {
 namespace {
 
-using delaunay::Double4;
 using Lanes = SphereLanes<delaunay::Portable>;
 
-int sign_beyond(double value, double error) {
-  return static_cast<int>(value > error) - static_cast<int>(value < -error);
-}
-
-// Base 0 -> 1 and the candidates 2 and 3, in numbers of twice the precision.
-struct Signs {
-  int turn, circle;
-};
-Signs twofold_signs(const std::vector<Direction>& p) {
-  const Lanes g({p.data()});
-  const std::int32_t s[4] = {2, 3, 2, 3};
-  const auto a = g.corner(0), b = g.corner(1), x = g.corners(s);
-  const auto lanes = Lanes::twofold_lanes(a, b, x);
-  const Double4 size = g.sizes(0, 1, Lanes::lanes(a, b, x));
-  using Arithmetic = Lanes::Arithmetic;
-  const auto lane = [](const delaunay::Twofold4& v, int i) {
-    return delaunay::Twofold4{delaunay::four(v.high[i]), delaunay::four(v.low[i])};
-  };
-  const auto det = Arithmetic::difference(
-      Arithmetic::product(lane(lanes.dot, 0), lane(lanes.cross, 1)),
-      Arithmetic::product(lane(lanes.dot, 1), lane(lanes.cross, 0)));
-  const Double4 error =
-      g.twofold_circle_error(delaunay::four(size[0]), delaunay::four(size[1]));
-  return {sign_beyond(lanes.cross.rounded()[0], g.twofold_cross_error(size)[0]),
-          sign_beyond(det.rounded()[0], error[0])};
+support::TwofoldSigns twofold_signs(const std::vector<Direction>& p) {
+  return support::twofold_signs(Lanes({p.data()}));
 }
 
 // Four directions of one small circle, rounded.
@@ -69,7 +46,7 @@ TEST(SphereLanes, AreCertainWithTwiceThePrecisionNearCircles) {
   constexpr int num_sets = 4000;
   for (int i = 0; i < num_sets; ++i) {
     const std::vector<Direction> p = circle_of(random);
-    const Signs signs = twofold_signs(p);
+    const support::TwofoldSigns signs = twofold_signs(p);
     ASSERT_EQ(signs.turn, support::exact_orientation(p[0], p[1], p[2])) << i;
     if (signs.circle == 0) continue;
     ++num_certain;
