@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "delaunay/error.hpp"
-#include "delaunay/parallel.hpp"
 #include "interp/cursor.hpp"
 #include "interp/globe_table.hpp"
 #include "interp/plane_reach.hpp"
+#include "interp/row_walk.hpp"
 #include "interp/sphere_reach.hpp"
 #include "interp/spot.hpp"
 
@@ -39,23 +39,6 @@ double nearest_value(const Triangulation& t, std::span<const double> site_values
   cursor.site = nearest_site(t, p, cursor.site);
   return make_reach(t, options).covers(p, cursor.site) ? site_values[at(cursor.site)]
                                                        : missing;
-}
-
-// Rows in parallel, each chunk of rows walked from its first node on.
-template <class Evaluate>
-std::vector<double> walk_rows(std::int64_t num_rows, std::int64_t num_columns,
-                              const RunOptions& run, Evaluate evaluate) {
-  constexpr std::int64_t chunk = 16;
-  std::vector<double> out(at(num_rows * num_columns));
-  delaunay::parallel_chunks(num_rows, chunk, run,
-                            [&](std::int64_t first, std::int64_t last) {
-                              Cursor cursor;
-                              for (std::int64_t j = first; j < last; ++j) {
-                                for (std::int64_t i = 0; i < num_columns; ++i)
-                                  out[at(j * num_columns + i)] = evaluate(i, j, cursor);
-                              }
-                            });
-  return out;
 }
 
 template <class Triangulation>
