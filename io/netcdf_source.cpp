@@ -30,6 +30,14 @@ int NetcdfSource::num_variables() const {
   return count;
 }
 
+std::optional<std::size_t> NetcdfSource::dimension_size(const std::string& name) const {
+  int dimension = 0;
+  if (nc_inq_dimid(id_, name.c_str(), &dimension) != NC_NOERR) return std::nullopt;
+  std::size_t size = 0;
+  check(nc_inq_dimlen(id_, dimension, &size));
+  return size;
+}
+
 std::optional<int> NetcdfSource::find_variable(const std::string& name) const {
   int variable = 0;
   if (nc_inq_varid(id_, name.c_str(), &variable) != NC_NOERR) return std::nullopt;

@@ -29,6 +29,7 @@ class NetcdfSource {
   NetcdfSource& operator=(const NetcdfSource&) = delete;
 
   [[nodiscard]] int num_variables() const;
+  [[nodiscard]] std::optional<std::size_t> dimension_size(const std::string& name) const;
   [[nodiscard]] std::optional<int> find_variable(const std::string& name) const;
   [[nodiscard]] std::string variable_name(int variable) const;
   [[nodiscard]] nc_type type(int variable) const;

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "delaunay/error.hpp"
+#include "interp/cursor.hpp"
+#include "interp/index.hpp"
+#include "interp/operator.hpp"
+#include "interp/operator_terms.hpp"
+#include "interp/values.hpp"
+
+namespace delone::interp {
+
+/// The rows that stand for a site, each with an equal part of its weight. Throws Error
+/// for a policy that is not linear in the data, if positions repeat.
+class RowShares {
+ public:
+  template <class Triangulation>
+  RowShares(const Triangulation& t, Duplicates policy)
+      : RowShares(t.sites(), t.rows(), policy) {}
+
+  [[nodiscard]] std::span<const delaunay::Node> of(delaunay::Site s) const noexcept {
+    if (repeats_.offsets.empty()) return {&first_rows_[at(s)], 1};
+    const std::span<const delaunay::Node> rows = repeats_.of(s);
+    if (policy_ == Duplicates::first) return rows.first(1);
+    return policy_ == Duplicates::last ? rows.last(1) : rows;
+  }
+
+ private:
+  RowShares(std::span<const delaunay::Site> sites,
+            std::span<const delaunay::Node> first_rows, Duplicates policy);
+
+  std::span<const delaunay::Node> first_rows_;
+  RowsOfSites repeats_;  // empty if no position repeats
+  Duplicates policy_;
+};
+
+/// Rows of the matrix as one thread computes them, in any order of the targets.
+class OperatorChunk {
+ public:
+  explicit OperatorChunk(std::size_t num_targets);
+  /// Spreads the weights over rows, in ascending order, each row once.
+  void append(std::int64_t target, std::span<const delaunay::Site> sites,
+              std::span<const double> weights, const RowShares& shares);
+
+  [[nodiscard]] std::int64_t num_weights() const noexcept { return std::ssize(columns_); }
+
+ private:
+  friend class OperatorAssembly;
+  void sort_row(std::size_t begin);
+  void merge_row(std::size_t begin);
+
+  std::vector<std::int32_t> targets_, lengths_, columns_;
+  std::vector<double> weights_;
+};
+
+/// Collects the chunks and makes one matrix of them.
+class OperatorAssembly {
+ public:
+  /// `num_chunks`: how many will be kept. Throws Error for more than 2^31 targets.
+  OperatorAssembly(std::size_t num_targets, delaunay::Node num_columns,
+                   std::size_t num_chunks);
+  /// From several threads, each number once. Throws Error once there are more than 2^31
+  /// weights.
+  void keep(std::size_t number, OperatorChunk chunk);
+  /// Uses up the chunks, each freed when it is copied.
+  [[nodiscard]] Operator finish(const RunOptions& run);
+
+ private:
+  void copy(OperatorChunk chunk, Operator::Matrix& matrix) const;
+
+  std::int64_t num_targets_;
+  delaunay::Node num_columns_;
+  std::vector<OperatorChunk> chunks_;
+  std::atomic<std::int64_t> num_weights_{0};
+};
+
+/// The operator of any interpolant that is linear in the data: `terms(point, cursor)`
+/// gives a target's weights by site (SiteTerms), called from several threads.
+///
+/// Targets are visited along a curve and in pieces that do not depend on the number of
+/// threads; the result does not depend on either. `t` is the triangulation whose sites
+/// the cursors walk on. Throws Error for more than 2^31 weights or targets; Cancelled.
+/// Memory: the matrix twice (the pieces are freed one by one), and 16 bytes a target.
+template <class Point, class Terms>
+[[nodiscard]] Operator assemble_operator(std::span<const Point> targets,
+                                         const delaunay::Adjacency& t,
+                                         const RowShares& shares, delaunay::Node num_rows,
+                                         const RunOptions& run, Terms terms) {
+  constexpr std::size_t block = std::size_t{1} << 24;
+  constexpr std::int64_t chunk = 4096, ahead = 8;
+  constexpr double part_for_terms = 0.9;  // of the progress
+  const double scale = part_for_terms / static_cast<double>(targets.size());
+  OperatorAssembly assembly(targets.size(), num_rows,
+                            (targets.size() + at(chunk) - 1) / at(chunk));
+  for (std::size_t begin = 0; begin < targets.size(); begin += block) {
+    const auto part = targets.subspan(begin, std::min(block, targets.size() - begin));
+    const delaunay::Buffer<delaunay::KeyedRow> order = order_along_curve(part);
+    const auto size = static_cast<std::int64_t>(part.size());
+    const auto index = [&](std::int64_t k) { return order[at(k)] & 0xffffffffu; };
+    const auto compute = [&](std::int64_t first, std::int64_t last) {
+      Cursor cursor =
+          cursor_along_curve(t, static_cast<double>(first) / static_cast<double>(size));
+      OperatorChunk rows(at(last - first));
+      for (std::int64_t k = first; k < last; ++k) {
+        if (k + ahead < last) __builtin_prefetch(&part[index(k + ahead)]);
+        const SiteTerms auto sum = terms(part[index(k)], cursor);
+        rows.append(static_cast<std::int64_t>(begin + index(k)), sum.sites(),
+                    sum.weights(), shares);
+      }
+      assembly.keep((begin + at(first)) / at(chunk), std::move(rows));
+    };
+    delaunay::parallel_chunks(size, chunk, run, compute,
+                              {scale * static_cast<double>(begin),
+                               scale * static_cast<double>(begin + part.size())});
+  }
+  return assembly.finish(run);
+}
+
+}  // namespace delone::interp
