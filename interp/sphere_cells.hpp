@@ -29,12 +29,18 @@ class SphereCells {
   [[nodiscard]] const SurfaceOptions& options() const noexcept { return options_; }
   [[nodiscard]] const SphereReach& reach() const noexcept { return reach_; }
   [[nodiscard]] double site_value(Site s) const noexcept { return values_[at(s)]; }
+  [[nodiscard]] std::span<const double> site_values() const noexcept { return values_; }
 
   [[nodiscard]] double value(const Direction& p, Cursor& cursor) const;
   /// Tangent to the unit sphere; NaN if missing.
   [[nodiscard]] Vector3 gradient(const Direction& p, Cursor& cursor) const;
   [[nodiscard]] Combination combination(const Direction& p, Cursor& cursor) const;
 
+  using Facet = SphereFacet;
+  /// The triangle on the left of an arc that leaves its smallest site.
+  [[nodiscard]] SphereFacet facet(Arc arc) const noexcept {
+    return facet(triangulation_->adjacency().left(arc));
+  }
   /// Corners with the smallest site first.
   [[nodiscard]] SphereFacet facet(const std::array<Site, 3>& corners) const noexcept;
   /// On an edge, the smaller site first.
@@ -42,13 +48,14 @@ class SphereCells {
   /// Whether the cell that holds p (`spot`) is known not to reach as far as max_distance.
   [[nodiscard]] bool is_reached(const Direction& p, const Spot& spot,
                                 Cursor& cursor) const;
+  /// The value of a point that the triangulation does not hold.
+  [[nodiscard]] double outside_value(const Direction& p, Cursor& cursor) const;
 
  private:
   [[nodiscard]] SphereCorner corner(Site s) const noexcept {
-    return {vector(triangulation_->points()[at(s)]),
+    return {interp::vector(triangulation_->points()[at(s)]),
             values_.empty() ? 0 : values_[at(s)]};
   }
-  [[nodiscard]] double outside_value(const Direction& p, Cursor& cursor) const;
   [[nodiscard]] Combination inside_combination(const Direction& p,
                                                const Spot& spot) const;
   [[nodiscard]] Vector3 inside_gradient(const Direction& p, const Spot& spot) const;
