@@ -1,12 +1,22 @@
 #include "cli/surface.hpp"
 
+#include <fmt/format.h>
+
 namespace delone::cli {
 namespace {
 
 using interp::Outside;
 
 const std::vector<Choice<Method>> method_choices{{"linear", Method::linear},
-                                                 {"nearest", Method::nearest}};
+                                                 {"nearest", Method::nearest},
+                                                 {"c1", Method::c1},
+                                                 {"natural", Method::natural},
+                                                 {"natural-c1", Method::natural_c1},
+                                                 {"idw", Method::idw},
+                                                 {"shepard", Method::shepard},
+                                                 {"rbf", Method::rbf}};
+const std::vector<Choice<interp::FitDegree>> degree_choices{
+    {"3", interp::FitDegree::cubic}, {"4", interp::FitDegree::quartic}};
 const std::vector<Choice<Outside>> outside_choices{{"nearest", Outside::nearest},
                                                    {"linear", Outside::linear}};
 
@@ -65,24 +75,99 @@ std::vector<double> values_of(const auto& surface, const Points& queries,
   return surface.values(directions(queries), run);
 }
 
-/// Linear or Nearest, as the method says, over any triangulation that both take.
-template <class Linear, class Nearest>
+struct PlaneSurfaces {
+  using Linear = interp::PlaneLinear;
+  using Nearest = interp::PlaneNearest;
+  using C1 = interp::PlaneC1;
+  using Natural = interp::PlaneNatural;
+  using InverseDistance = interp::PlaneInverseDistance;
+  using Shepard = interp::PlaneShepard;
+  using Radial = interp::PlaneRadial;
+};
+struct SphereSurfaces {
+  using Linear = interp::SphereLinear;
+  using Nearest = interp::SphereNearest;
+  using C1 = interp::SphereC1;
+  using Natural = interp::SphereNatural;
+  using InverseDistance = interp::SphereInverseDistance;
+  using Shepard = interp::SphereShepard;
+  using Radial = interp::SphereRadial;
+};
+
+interp::C1Options c1_options(const interp::SurfaceOptions& common,
+                             const SurfaceSettings& settings) {
+  interp::C1Options options;
+  static_cast<interp::SurfaceOptions&>(options) = common;
+  options.tension = settings.tension;
+  options.degree = settings.degree;
+  options.bounds = settings.is_bounded ? interp::Bounds::local : interp::Bounds::widened;
+  return options;
+}
+
+interp::NaturalOptions natural_options(const interp::SurfaceOptions& common,
+                                       Method method) {
+  interp::NaturalOptions options;
+  options.kind = method == Method::natural_c1 ? interp::NaturalKind::sibson_c1
+                                              : interp::NaturalKind::sibson;
+  options.duplicates = common.duplicates;
+  options.outside = common.outside;
+  options.max_distance = common.max_distance;
+  options.distance = common.distance;
+  return options;
+}
+
+void say_fit(const interp::C1Fit& fit, const Reporter& reporter) {
+  if (fit.num_tested == 0) return;
+  reporter.say(
+      "c1: tension {:.2g}, chosen by leaving out {} points: RMS error {:.4g} (linear "
+      "{:.4g})",
+      fit.tension, fit.num_tested, fit.left_out_rms, fit.linear_left_out_rms);
+}
+
+/// The method's surface over a triangulation of either kind.
+template <class Surfaces>
 Surface fit_method(const auto& triangulation, const Points& points,
-                   const SurfaceSettings& settings) {
+                   const SurfaceSettings& settings, Reporter& reporter) {
   const interp::SurfaceOptions options = surface_options(points, settings);
-  if (settings.method == Method::nearest)
-    return Nearest(triangulation, points.table.value, options);
-  return Linear(triangulation, points.table.value, options);
+  const std::vector<double>& values = points.table.value;
+  const RunOptions run = reporter.run_options("fitting");
+  switch (settings.method) {
+    case Method::nearest:
+      return typename Surfaces::Nearest(triangulation, values, options);
+    case Method::c1: {
+      typename Surfaces::C1 surface(triangulation, values, c1_options(options, settings),
+                                    run);
+      say_fit(surface.fit(), reporter);
+      return surface;
+    }
+    case Method::natural:
+    case Method::natural_c1:
+      return typename Surfaces::Natural(triangulation, values,
+                                        natural_options(options, settings.method));
+    case Method::idw:
+      return typename Surfaces::InverseDistance(triangulation, values, {}, options);
+    case Method::shepard:
+      return typename Surfaces::Shepard(triangulation, values, {}, options, run);
+    case Method::rbf:
+      return typename Surfaces::Radial(triangulation, values, {}, options, run);
+    case Method::linear:
+      break;
+  }
+  return typename Surfaces::Linear(triangulation, values, options);
 }
 
 Surface fit_domain(const Points& points, const Triangulated& triangulated,
-                   const SurfaceSettings& settings) {
-  if (const auto* plane = std::get_if<PlaneTriangulation>(&triangulated)) {
-    return fit_method<interp::PlaneLinear, interp::PlaneNearest>(*plane, points,
-                                                                 settings);
-  }
-  return fit_method<interp::SphereLinear, interp::SphereNearest>(
-      std::get<GlobeTriangulation>(triangulated), points, settings);
+                   const SurfaceSettings& settings, Reporter& reporter) {
+  if (const auto* plane = std::get_if<PlaneTriangulation>(&triangulated))
+    return fit_method<PlaneSurfaces>(*plane, points, settings, reporter);
+  return fit_method<SphereSurfaces>(std::get<GlobeTriangulation>(triangulated), points,
+                                    settings, reporter);
+}
+
+std::string_view name_of(Method method) {
+  for (const auto& [word, meaning] : method_choices)
+    if (meaning == method) return word;
+  return {};
 }
 
 void check_extrapolation(const Points& points, const SurfaceSettings& settings) {
@@ -91,10 +176,22 @@ void check_extrapolation(const Points& points, const SurfaceSettings& settings) 
     throw UsageError(
         "--extrapolate linear works on the plane only; use --extrapolate nearest");
   }
-  if (settings.method == Method::nearest) {
+  if (settings.method == Method::nearest || settings.method == Method::natural ||
+      settings.method == Method::natural_c1) {
+    throw UsageError(fmt::format(
+        "--extrapolate linear does not go with --method {}; use --extrapolate "
+        "nearest",
+        name_of(settings.method)));
+  }
+}
+
+void check_c1_options(const SurfaceSettings& settings) {
+  if (settings.method == Method::c1) return;
+  if (settings.tension || settings.is_bounded ||
+      settings.degree != interp::FitDegree::cubic) {
     throw UsageError(
-        "--extrapolate linear does not go with --method nearest; use --extrapolate "
-        "nearest");
+        fmt::format("--tension, --bounded and --fit-degree are for --method c1, not {}",
+                    name_of(settings.method)));
   }
 }
 
@@ -102,10 +199,12 @@ void check_extrapolation(const Points& points, const SurfaceSettings& settings) 
 
 void add_surface_options(CLI::App& app, SurfaceSettings& settings) {
   add_choice<Method>(app, "--method", settings.method, method_choices,
-                     "linear (default) or nearest");
+                     "linear (default), nearest, c1 (smooth), natural, natural-c1, idw, "
+                     "shepard or rbf");
   add_choice<Outside>(
       app, "--extrapolate", settings.outside, outside_choices,
-      "Outside the points: nearest or, on the plane, linear (default: missing)");
+      "Outside the points: nearest or, on the plane, linear: the surface's own "
+      "continuation (default: missing)");
   const auto set_distance = [&settings](const double& distance) {
     if (!(distance >= 0))
       throw UsageError("--max-distance must be a number that is not negative");
@@ -116,13 +215,29 @@ void add_surface_options(CLI::App& app, SurfaceSettings& settings) {
          "Missing where every point is farther: kilometres, on the plane the "
          "unit of x and y")
       ->type_name("D");
+  const auto set_tension = [&settings](const double& tension) {
+    if (!(tension >= 0 && tension <= 1))
+      throw UsageError("--tension takes a number from 0 (smooth) to 1 (next to linear)");
+    settings.tension = tension;
+  };
+  app.add_option_function<double>(
+         "--tension", set_tension,
+         "c1: 0 (smooth) to 1 (next to linear); default: what predicts left-out points "
+         "best")
+      ->type_name("T");
+  app.add_flag("--bounded", settings.is_bounded,
+               "c1: stay among the values around each triangle");
+  add_choice<interp::FitDegree>(app, "--fit-degree", settings.degree, degree_choices,
+                                "c1: 3 (default) or, for smooth data, 4");
 }
 
 Surface fit(const Points& points, const Triangulated& triangulated,
             const SurfaceSettings& settings, Reporter& reporter) {
   check_extrapolation(points, settings);
+  check_c1_options(settings);
   return reporter.timed(Phase::fit, [&] {
-    return blaming(points, [&] { return fit_domain(points, triangulated, settings); });
+    return blaming(points,
+                   [&] { return fit_domain(points, triangulated, settings, reporter); });
   });
 }
 

@@ -2,36 +2,61 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "cli/options.hpp"
 #include "cli/points.hpp"
+#include "interp/c1_surface.hpp"
+#include "interp/idw_surface.hpp"
 #include "interp/linear_surface.hpp"
+#include "interp/natural_surface.hpp"
 #include "interp/nearest_surface.hpp"
+#include "interp/rbf_surface.hpp"
+#include "interp/shepard_surface.hpp"
 
 namespace delone::cli {
 
 /// How values come about between the points.
-enum class Method : std::uint8_t { nearest, linear };
+enum class Method : std::uint8_t {
+  nearest,
+  linear,
+  c1,
+  natural,
+  natural_c1,
+  idw,
+  shepard,
+  rbf
+};
 
 struct SurfaceSettings {
   Method method = Method::linear;
   interp::Outside outside = interp::Outside::missing;
   double max_distance = std::numeric_limits<double>::infinity();
+  // For c1.
+  std::optional<double> tension;  ///< empty: chosen by leave-one-out errors
+  bool is_bounded = false;
+  interp::FitDegree degree = interp::FitDegree::cubic;
 };
 
-/// --method, --extrapolate, --max-distance.
+/// --method, --extrapolate, --max-distance, and what c1 takes: --tension, --bounded,
+/// --fit-degree.
 void add_surface_options(CLI::App& app, SurfaceSettings& settings);
 
 /// An interpolant over points, whatever they lie on.
-using Surface = std::variant<interp::PlaneLinear, interp::PlaneNearest,
-                             interp::SphereLinear, interp::SphereNearest>;
+using Surface =
+    std::variant<interp::PlaneLinear, interp::PlaneNearest, interp::PlaneC1,
+                 interp::PlaneNatural, interp::PlaneInverseDistance, interp::PlaneShepard,
+                 interp::PlaneRadial, interp::SphereLinear, interp::SphereNearest,
+                 interp::SphereC1, interp::SphereNatural, interp::SphereInverseDistance,
+                 interp::SphereShepard, interp::SphereRadial>;
 
-/// Fits the surface. Throws UsageError if the
-/// domain does not have what was asked for, Error naming file and line for values that
-/// cannot be used.
+/// Fits the surface, and says how where there was a choice. Throws UsageError if the
+/// domain or the method does not have what was asked for, Error naming file and line for
+/// values that cannot be used.
 [[nodiscard]] Surface fit(const Points& points, const Triangulated& triangulated,
                           const SurfaceSettings& settings, Reporter& reporter);
 

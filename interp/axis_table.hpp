@@ -84,10 +84,4 @@ class AxisTable {
   double spacing_ = 1, per_spacing_ = 1, unevenness_ = 0;
 };
 
-/// Indices [begin, end).
-struct IndexRange {
-  std::int64_t begin = 0, end = 0;
-  [[nodiscard]] bool is_empty() const noexcept { return begin >= end; }
-};
-
 }  // namespace delone::interp

@@ -6,9 +6,11 @@
 
 #include "interp/axis_table.hpp"
 #include "interp/grid.hpp"
-#include "interp/sphere_facet.hpp"
+#include "interp/sphere_vector.hpp"
 
 namespace delone::interp {
+
+using stripack::Direction;
 
 /// Directions of the nodes of a longitude-latitude grid from cosines and sines of its
 /// columns and rows: the same bits as Direction::from(LonLat) up to the sign of zeros.

@@ -28,13 +28,16 @@ class HullExtension {
   [[nodiscard]] Point2 gradient(Point2 p, Arc boundary,
                                 std::span<const double> site_values) const;
 
- private:
-  // Boundary arcs, the outside on their left, on both sides of the nearest point of the
-  // hull; equal if that lies inside an edge.
+  /// Boundary arcs, the outside on their left, on both sides of the nearest point of the
+  /// hull; equal if that lies inside an edge.
   struct Zone {
     Arc before, after;
     [[nodiscard]] bool is_strip() const noexcept { return before == after; }
   };
+  /// Of a scaled point outside the hull; `boundary` as above.
+  [[nodiscard]] Zone zone(Point2 p, Arc boundary) const noexcept;
+
+ private:
   struct Wedge {
     Point2 before_normal, after_normal;
     double before_part, after_part;
@@ -42,7 +45,6 @@ class HullExtension {
   [[nodiscard]] Point2 scaled(Site s) const noexcept;
   [[nodiscard]] Arc next(Arc boundary) const noexcept;
   [[nodiscard]] Arc previous(Arc boundary) const noexcept;
-  [[nodiscard]] Zone zone(Point2 p, Arc boundary) const noexcept;
   [[nodiscard]] Wedge wedge(Point2 p, const Zone& zone) const noexcept;
   [[nodiscard]] std::array<Site, 3> triangle_at(Arc boundary) const noexcept;
   [[nodiscard]] Point2 outward_normal(Arc boundary) const noexcept;

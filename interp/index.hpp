@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -13,5 +14,11 @@ namespace delone::interp {
 [[nodiscard]] constexpr std::size_t at(std::int64_t i) noexcept {
   return static_cast<std::size_t>(i);
 }
+
+/// Indices [begin, end).
+struct IndexRange {
+  std::int64_t begin = 0, end = 0;
+  [[nodiscard]] bool is_empty() const noexcept { return begin >= end; }
+};
 
 }  // namespace delone::interp

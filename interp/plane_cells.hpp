@@ -33,6 +33,7 @@ class PlaneCells {
   [[nodiscard]] const SurfaceOptions& options() const noexcept { return options_; }
   [[nodiscard]] const PlaneReach& reach() const noexcept { return reach_; }
   [[nodiscard]] double site_value(Site s) const noexcept { return values_[at(s)]; }
+  [[nodiscard]] std::span<const double> site_values() const noexcept { return values_; }
 
   [[nodiscard]] double value(Point2 p, Cursor& cursor) const;
   [[nodiscard]] Point2 gradient(Point2 p, Cursor& cursor) const;
@@ -49,10 +50,22 @@ class PlaneCells {
   [[nodiscard]] Point2 scaled(Site s) const noexcept {
     return scaled(triangulation_->points()[at(s)]);
   }
+  using Facet = PlaneFacet;
   /// Corners with the smallest site first.
   [[nodiscard]] PlaneFacet facet(const std::array<Site, 3>& corners) const noexcept;
+  /// The triangle on the left of an arc that leaves its smallest site.
+  [[nodiscard]] PlaneFacet facet(Arc arc) const noexcept {
+    return facet(triangulation_->adjacency().left(arc));
+  }
+  /// At a scaled point of an edge, the smaller site first.
+  [[nodiscard]] double edge_value(Site from, Site to, Point2 p) const noexcept {
+    return edge_facet(from, to)(p);
+  }
   /// An edge with the smaller site first.
   [[nodiscard]] PlaneFacet edge_facet(Site from, Site to) const noexcept;
+  [[nodiscard]] const HullExtension& extension() const noexcept { return extension_; }
+  /// Is p, held by `spot`, within max_distance of a site?
+  [[nodiscard]] bool is_reached(Point2 p, const Spot& spot, Cursor& cursor) const;
   /// The value of a point that the triangulation does not hold.
   [[nodiscard]] double outside_value(Point2 p, Cursor& cursor) const;
 
@@ -60,7 +73,6 @@ class PlaneCells {
   [[nodiscard]] PlaneCorner corner(Site s) const noexcept {
     return {scaled(s), values_[at(s)]};
   }
-  [[nodiscard]] bool is_reached(Point2 p, const Spot& spot, Cursor& cursor) const;
   [[nodiscard]] Combination inside_combination(Point2 p, const Spot& spot) const;
   [[nodiscard]] Combination outside_combination(Point2 p, Cursor& cursor) const;
   [[nodiscard]] Point2 inside_gradient(const Spot& spot) const;

@@ -101,6 +101,20 @@ void PlaneFacet::set_slope_along(const PlaneCorner& a, const PlaneCorner& b) noe
       std::abs(dx) >= std::abs(dy) ? dz / dx : dz / dy;
 }
 
+void PlaneFacet::fill_row(double* row, const double* x, IndexRange columns,
+                          double y) const noexcept {
+  if (is_thin_) {
+    for (std::int64_t i = columns.begin; i < columns.end; ++i)
+      row[i] = thin_value({x[i], y});
+    return;
+  }
+  const PlaneFacet facet =
+      *this;  // a copy that the stores cannot change: kept in registers
+  const double start = facet.row_start(y);
+  for (std::int64_t i = columns.begin; i < columns.end; ++i)
+    row[i] = facet.value_in_row(start, x[i]);
+}
+
 double PlaneFacet::thin_value(Point2 p) const noexcept {
   const DoubleDouble rise = x_slope_ * two_difference(p.x, origin_.x) +
                             y_slope_ * two_difference(p.y, origin_.y);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "delaunay/double_double.hpp"
+#include "interp/index.hpp"
 #include "tripack/point.hpp"
 
 namespace delone::interp {
@@ -47,6 +48,10 @@ class PlaneFacet {
   [[nodiscard]] double operator()(Point2 p) const noexcept {
     return is_thin_ ? thin_value(p) : value_in_row(row_start(p.y), p.x);
   }
+
+  /// At places `columns` of `x`, all at one y, into the same places of `row`.
+  void fill_row(double* row, const double* x, IndexRange columns,
+                double y) const noexcept;
 
   // The same in two steps, for runs of nodes with one y; facets that are not thin.
   [[nodiscard]] double row_start(double y) const noexcept {

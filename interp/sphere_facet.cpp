@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "interp/globe_table.hpp"
 #include "interp/plane_facet.hpp"
 
 namespace delone::interp {
@@ -47,6 +48,21 @@ SphereFacet::SphereFacet(const SphereCorner& a, const SphereCorner& b,
     plain_.slope = rise_b_ * cross(w, a.p) + rise_c_ * cross(a.p, u);
     plain_.normal = cross(u, w);
   }
+}
+
+void SphereFacet::fill_row(double* row, const GlobeTable& table, IndexRange columns,
+                           std::int64_t j) const noexcept {
+  if (is_thin_) {
+    for (std::int64_t i = columns.begin; i < columns.end; ++i)
+      row[i] = thin_value(table.vector(i, j));
+    return;
+  }
+  const PlainSphereFacet facet =
+      plain_;  // a copy that the stores cannot change: kept in registers
+  const double *const cosines = table.cos_lon(), *const sines = table.sin_lon();
+  const double across = table.cos_lat(j), z = table.sin_lat(j);
+  for (std::int64_t i = columns.begin; i < columns.end; ++i)
+    row[i] = facet({across * cosines[i], across * sines[i], z});
 }
 
 double SphereFacet::thin_value(Vector3 p) const noexcept {

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "interp/index.hpp"
 #include "interp/sphere_vector.hpp"
 #include "interp/thin_triangle.hpp"
 #include "stripack/direction.hpp"
 
 namespace delone::interp {
 
+class GlobeTable;
 using stripack::Direction;
 
 /// A corner of a facet: direction and value.
@@ -51,8 +53,9 @@ class SphereFacet {
   [[nodiscard]] double operator()(Vector3 p) const noexcept {
     return is_thin_ ? thin_value(p) : plain_(p);
   }
-  /// Its values where it is not thin.
-  [[nodiscard]] const PlainSphereFacet& plain() const noexcept { return plain_; }
+  /// At the nodes of row j in the given columns, into the same places of `row`.
+  void fill_row(double* row, const GlobeTable& table, IndexRange columns,
+                std::int64_t j) const noexcept;
   /// Tangent to the unit sphere at the unit vector p, per radian.
   [[nodiscard]] Vector3 gradient(Vector3 p) const noexcept;
 

@@ -40,4 +40,11 @@ struct Vector3 {
   return largest * std::sqrt(dot(scaled, scaled));
 }
 
+/// Unit vector towards east; at a pole towards 90 degrees east, as if its longitude were
+/// 0.
+[[nodiscard]] inline Vector3 east_at(const stripack::Direction& p) noexcept {
+  const double across = std::hypot(p.x(), p.y());
+  return across == 0 ? Vector3{0, 1, 0} : Vector3{-p.y() / across, p.x() / across, 0};
+}
+
 }  // namespace delone::interp

@@ -1,0 +1,248 @@
+#include "interp/blend_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "delaunay/error.hpp"
+#include "delaunay/parallel.hpp"
+#include "interp/blend_choice.hpp"
+#include "interp/blend_hump.hpp"
+
+namespace delone::interp {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+PlaneSpace space_of(const PlaneCells& cells) { return {cells.scale()}; }
+SphereSpace space_of(const SphereCells&) { return {}; }
+
+bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+bool is_finite(const Direction&) { return true; }
+
+// The point as a function of two lengths from it: by x and y in the plane, along the
+// geodesics towards east and north on the sphere.
+PlaneSpace::Position<SecondOrder> variable(const PlaneSpace& space, Point2 p) {
+  const Point2 v = space.vector(p);
+  return {SecondOrder(v.x, space.scale, 0), SecondOrder(v.y, 0, space.scale)};
+}
+
+SphereSpace::Position<SecondOrder> variable(const SphereSpace&, const Direction& d) {
+  const Vector3 p = vector(d), east = east_at(d), north = cross(p, east);
+  const auto along = [](double at, double e, double n) {
+    return SecondOrder(at, e, n, -at, 0, -at);
+  };
+  return {along(p.x, east.x, north.x), along(p.y, east.y, north.y),
+          along(p.z, east.z, north.z)};
+}
+
+// Of a surface that is linear by pieces: no second derivatives, unless all is missing.
+SecondOrder piecewise(double value, double x, double y) {
+  const double second = std::isnan(value) ? missing : 0;
+  return {value, x, y, second, second, second};
+}
+
+SecondOrder linear_derivatives(const PlaneCells& cells, Point2 p, Cursor& cursor) {
+  const Point2 g = cells.gradient(p, cursor);
+  return piecewise(cells.value(p, cursor), g.x, g.y);
+}
+
+SecondOrder linear_derivatives(const SphereCells& cells, const Direction& p,
+                               Cursor& cursor) {
+  const Vector3 g = cells.gradient(p, cursor), east = east_at(p);
+  return piecewise(cells.value(p, cursor), dot(g, east), dot(g, cross(vector(p), east)));
+}
+
+}  // namespace
+
+void check(const C1Options& options) {
+  check(static_cast<const SurfaceOptions&>(options));
+  if (options.tension && !(*options.tension >= 0 && *options.tension <= 1))
+    throw Error("the tension must lie between 0 and 1");
+}
+
+template <BlendSpace Space, int Degree>
+BlendCells<Space, Degree>::BlendCells(std::shared_ptr<const Triangulation> triangulation,
+                                      std::vector<double> site_values,
+                                      const C1Options& options, const RunOptions& run)
+    : linear_(std::move(triangulation), std::move(site_values), options),
+      space_(space_of(linear_)) {
+  check(options);
+  if (this->triangulation().dimension() < 2) return;
+  const auto [least, most] = std::ranges::minmax_element(linear_.site_values());
+  BlendFitOptions fit;
+  fit.bounds = options.bounds;
+  fit.range = {*least, *most};
+  if (options.tension) {
+    fit.stiffness.tension = *options.tension;
+    fit_.tension = *options.tension;
+  } else {
+    const StiffnessChoice choice = choose_stiffness<Space, Degree>(
+        space_, this->triangulation(), linear_.site_values(), fit, run);
+    fit.stiffness = stiffness_level(choice.level);
+    fit_ = {fit.stiffness.tension, choice.num_tested, choice.rms[choice.level],
+            choice.linear_rms};
+  }
+  fit_models(fit, run);
+  number_edges();
+  fit_edges(options.bounds == Bounds::local ? 0 : 0.1 * (*most - *least), run);
+}
+
+template <BlendSpace Space, int Degree>
+void BlendCells<Space, Degree>::fit_models(const BlendFitOptions& options,
+                                           const RunOptions& run) {
+  constexpr std::int64_t chunk = 512;
+  models_.resize(at(triangulation().num_sites()));
+  delaunay::parallel_chunks(triangulation().num_sites(), chunk, run,
+                            [&](std::int64_t first, std::int64_t last) {
+                              StencilGatherer<Space> gatherer(space_, triangulation());
+                              for (auto s = static_cast<Site>(first); s < last; ++s) {
+                                models_[at(s)] = fit_blend_model<Space, Degree>(
+                                    space_, triangulation(), linear_.site_values(), s,
+                                    gatherer.around(s, num_nearest(Degree)), options);
+                              }
+                            },
+                            {0, 0.8});
+}
+
+template <BlendSpace Space, int Degree>
+void BlendCells<Space, Degree>::number_edges() {
+  const Adjacency& t = triangulation().adjacency();
+  edges_.resize(at(t.num_arcs()));
+  std::int32_t count = 0;
+  for (Site v = 0; v < t.num_sites(); ++v) {
+    Arc a = t.first_arc(v);
+    for (std::int32_t i = 0; i < t.degree(v); ++i, a = t.next(a)) {
+      if (t.target(a) < v) continue;
+      edges_[at(a.index)] = count;
+      edges_[at(t.reverse(a).index)] = count;
+      ++count;
+    }
+  }
+  humps_.resize(at(count));
+}
+
+template <BlendSpace Space, int Degree>
+void BlendCells<Space, Degree>::fit_edges(double limit, const RunOptions& run) {
+  constexpr std::int64_t chunk = 2048;
+  const Adjacency& t = triangulation().adjacency();
+  const auto points = triangulation().points();
+  delaunay::parallel_chunks(
+      t.num_sites(), chunk, run,
+      [&](std::int64_t first, std::int64_t last) {
+        for (auto v = static_cast<Site>(first); v < last; ++v) {
+          Arc a = t.first_arc(v);
+          for (std::int32_t i = 0; i < t.degree(v); ++i, a = t.next(a)) {
+            const Site w = t.target(a);
+            if (w < v) continue;
+            humps_[at(edges_[at(a.index)])] = edge_hump<Space, Degree>(
+                space_.vector(points[at(v)]), space_.vector(points[at(w)]),
+                models_[at(v)], models_[at(w)], limit);
+          }
+        }
+      },
+      {0.8, 1});
+}
+
+template <BlendSpace Space, int Degree>
+EdgeHump BlendCells<Space, Degree>::hump(Arc arc) const noexcept {
+  EdgeHump h = humps_[at(edges_[at(arc.index)])];
+  if (triangulation().adjacency().target(arc) < arc.origin) h.b = -h.b;
+  return h;
+}
+
+template <BlendSpace Space, int Degree>
+auto BlendCells<Space, Degree>::facet(Arc arc) const noexcept -> Facet {
+  const Adjacency& t = triangulation().adjacency();
+  while (t.target(arc) < arc.origin || t.target(t.next(arc)) < arc.origin)
+    arc = t.previous(t.reverse(arc));
+  const Arc second = t.previous(t.reverse(arc)), third = t.reverse(t.next(arc));
+  const std::array<Site, 3> corners = t.left(arc);
+  typename Facet::Corners parts;
+  for (std::size_t k = 0; k < 3; ++k) {
+    parts.points[k] = space_.vector(triangulation().points()[at(corners[k])]);
+    parts.models[k] = &models_[at(corners[k])];
+  }
+  parts.humps = {hump(arc), hump(second), hump(third)};
+  return Facet(parts);
+}
+
+template <BlendSpace Space, int Degree>
+Arc BlendCells<Space, Degree>::arc_of(const std::array<Site, 3>& corners) const noexcept {
+  const Adjacency& t = triangulation().adjacency();
+  Arc a = t.first_arc(corners[0]);
+  while (t.target(a) != corners[1]) a = t.next(a);
+  return a;
+}
+
+// Nearest to the point is a place on one hull edge: there the edge's blend goes on. At a
+// corner it becomes the polynomial of the corner, as the blend of the next edge does.
+template <BlendSpace Space, int Degree>
+template <class S>
+S BlendCells<Space, Degree>::continued(const typename Space::template Position<S>& p,
+                                       const Point& at, Cursor& cursor) const {
+  if constexpr (std::same_as<Space, PlaneSpace>) {
+    if (linear_.reach().is_limited()) {
+      cursor.site = nearest_site(triangulation(), at, cursor.site);
+      if (!linear_.reach().covers(at, cursor.site)) return missing * S(1.0);
+    }
+    const Adjacency& t = triangulation().adjacency();
+    const Arc hull = linear_.extension().zone(space_.vector(at), cursor.arc).after;
+    const Arc inner = t.reverse(hull);
+    const std::array<Site, 3> corners = smallest_first(t.left(inner));
+    const auto first = std::find(corners.begin(), corners.end(), inner.origin);
+    return facet(inner).template beyond_edge<S>(
+        static_cast<std::size_t>(first - corners.begin()), p);
+  } else {
+    return missing * S(1.0);  // refused by SphereCells
+  }
+}
+
+template <BlendSpace Space, int Degree>
+double BlendCells<Space, Degree>::edge_value(Site from, Site to,
+                                             const Vector& p) const noexcept {
+  const Adjacency& t = triangulation().adjacency();
+  return facet(arc_of(smallest_triangle(t, edge_spot(from, to)).sites))(p);
+}
+
+template <BlendSpace Space, int Degree>
+double BlendCells<Space, Degree>::value(const Point& p, Cursor& cursor) const {
+  if (!is_finite(p) || triangulation().dimension() < 2) return linear_.value(p, cursor);
+  const Spot spot = find_spot(triangulation(), p, cursor.arc);
+  if (spot.kind == Spot::Kind::outside) {
+    if (options().outside == Outside::linear)
+      return continued<double>(Space::position(space_.vector(p)), p, cursor);
+    return linear_.outside_value(p, cursor);
+  }
+  if (!linear_.is_reached(p, spot, cursor)) return missing;
+  if (spot.kind == Spot::Kind::node) return linear_.site_value(spot.sites[0]);
+  const Arc arc =
+      spot.kind == Spot::Kind::triangle
+          ? cursor.arc
+          : arc_of(smallest_triangle(triangulation().adjacency(), spot).sites);
+  return facet(arc)(space_.vector(p));
+}
+
+template <BlendSpace Space, int Degree>
+SecondOrder BlendCells<Space, Degree>::derivatives(const Point& p, Cursor& cursor) const {
+  if (!is_finite(p) || triangulation().dimension() < 2)
+    return linear_derivatives(linear_, p, cursor);
+  const Spot spot = find_spot(triangulation(), p, cursor.arc);
+  if (spot.kind == Spot::Kind::outside) {
+    if (options().outside == Outside::linear)
+      return continued<SecondOrder>(variable(space_, p), p, cursor);
+    return linear_derivatives(linear_, p, cursor);
+  }
+  if (!linear_.is_reached(p, spot, cursor)) return piecewise(missing, missing, missing);
+  const Spot triangle = smallest_triangle(triangulation().adjacency(), spot);
+  return facet(arc_of(triangle.sites))(variable(space_, p));
+}
+
+template class BlendCells<PlaneSpace, 3>;
+template class BlendCells<PlaneSpace, 4>;
+template class BlendCells<SphereSpace, 3>;
+template class BlendCells<SphereSpace, 4>;
+
+}  // namespace delone::interp

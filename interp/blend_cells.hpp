@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "delaunay/options.hpp"
+#include "interp/blend_facet.hpp"
+#include "interp/blend_fit.hpp"
+#include "interp/c1_options.hpp"
+#include "interp/cursor.hpp"
+#include "interp/plane_cells.hpp"
+#include "interp/sphere_cells.hpp"
+
+namespace delone::interp {
+
+/// The piecewise linear surface of a space, which holds what the blended one does outside
+/// triangles.
+template <BlendSpace Space>
+struct LinearCellsOf;
+template <>
+struct LinearCellsOf<PlaneSpace> {
+  using Type = PlaneCells;
+};
+template <>
+struct LinearCellsOf<SphereSpace> {
+  using Type = SphereCells;
+};
+
+/// The blended surface over a triangulation: what PlaneC1 and SphereC1, their grids and
+/// operators share.
+///
+/// A point's value depends on the point alone: at a node it is the node's value, on an
+/// edge and in a triangle it is computed in the triangle with the smallest sites, from
+/// the smallest site on.
+template <BlendSpace Space, int Degree>
+class BlendCells {
+ public:
+  using Triangulation = typename Space::Triangulation;
+  using Point = typename Space::Point;
+  using Facet = BlendFacet<Space, Degree>;
+  using Linear = typename LinearCellsOf<Space>::Type;
+
+  BlendCells(std::shared_ptr<const Triangulation> triangulation,
+             std::vector<double> site_values, const C1Options& options,
+             const RunOptions& run);
+
+  [[nodiscard]] const Triangulation& triangulation() const noexcept {
+    return linear_.triangulation();
+  }
+  [[nodiscard]] const SurfaceOptions& options() const noexcept {
+    return linear_.options();
+  }
+  [[nodiscard]] const C1Fit& fit() const noexcept { return fit_; }
+  [[nodiscard]] const Linear& linear() const noexcept { return linear_; }
+  [[nodiscard]] std::span<const BlendModel<Degree>> models() const noexcept {
+    return models_;
+  }
+
+  [[nodiscard]] double value(const Point& p, Cursor& cursor) const;
+  /// By x and y in the plane; by distance towards east and north on the unit sphere,
+  /// second derivatives along geodesics. NaN if missing.
+  [[nodiscard]] SecondOrder derivatives(const Point& p, Cursor& cursor) const;
+
+  using Vector = typename Space::Vector;
+  /// At a (scaled) point of an edge.
+  [[nodiscard]] double edge_value(Site from, Site to, const Vector& p) const noexcept;
+  [[nodiscard]] double edge_value(Site from, Site to, const Point& p) const noexcept
+      requires(!std::same_as<Point, Vector>) {
+    return edge_value(from, to, Space{}.vector(p));
+  }
+  [[nodiscard]] double site_value(Site s) const noexcept { return linear_.site_value(s); }
+  [[nodiscard]] decltype(auto) reach() const noexcept { return linear_.reach(); }
+  [[nodiscard]] double scale() const noexcept requires std::same_as<Space, PlaneSpace> {
+    return linear_.scale();
+  }
+  [[nodiscard]] Vector scaled(Point p) const noexcept { return space_.vector(p); }
+  /// The triangle on the left of an arc, the smallest site first.
+  [[nodiscard]] Facet facet(Arc arc) const noexcept;
+
+ private:
+  /// Outside the hull, continued.
+  template <class S>
+  [[nodiscard]] S continued(const typename Space::template Position<S>& p,
+                            const Point& at, Cursor& cursor) const;
+  void number_edges();
+  void fit_models(const BlendFitOptions& options, const RunOptions& run);
+  void fit_edges(double limit, const RunOptions& run);
+  [[nodiscard]] Arc arc_of(const std::array<Site, 3>& corners) const noexcept;
+  [[nodiscard]] EdgeHump hump(Arc arc) const noexcept;
+
+  Linear linear_;
+  Space space_;
+  C1Fit fit_;
+  std::vector<BlendModel<Degree>> models_;
+  std::vector<std::int32_t> edges_;  ///< of every arc
+  std::vector<EdgeHump> humps_;      ///< of every edge
+};
+
+}  // namespace delone::interp
