@@ -19,6 +19,9 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 PlaneSpace space_of(const PlaneCells& cells) { return {cells.scale()}; }
 SphereSpace space_of(const SphereCells&) { return {}; }
 
+Point2 scaled_vector(Point2 p) { return p; }
+Vector3 scaled_vector(const Direction& p) { return vector(p); }
+
 bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 bool is_finite(const Direction&) { return true; }
 
@@ -87,7 +90,7 @@ BlendCells<Space, Degree>::BlendCells(std::shared_ptr<const Triangulation> trian
   }
   fit_models(fit, run);
   number_edges();
-  fit_edges(options.bounds == Bounds::local ? 0 : 0.1 * (*most - *least), run);
+  fit_edges(most_hump(fit), run);
 }
 
 template <BlendSpace Space, int Degree>
@@ -202,9 +205,9 @@ S BlendCells<Space, Degree>::continued(const typename Space::template Position<S
 
 template <BlendSpace Space, int Degree>
 double BlendCells<Space, Degree>::edge_value(Site from, Site to,
-                                             const Vector& p) const noexcept {
+                                             const Point& p) const noexcept {
   const Adjacency& t = triangulation().adjacency();
-  return facet(arc_of(smallest_triangle(t, edge_spot(from, to)).sites))(p);
+  return facet(arc_of(smallest_triangle(t, edge_spot(from, to)).sites))(scaled_vector(p));
 }
 
 template <BlendSpace Space, int Degree>

@@ -40,6 +40,7 @@ class BlendCells {
  public:
   using Triangulation = typename Space::Triangulation;
   using Point = typename Space::Point;
+  using Vector = typename Space::Vector;
   using Facet = BlendFacet<Space, Degree>;
   using Linear = typename LinearCellsOf<Space>::Type;
 
@@ -64,18 +65,11 @@ class BlendCells {
   /// second derivatives along geodesics. NaN if missing.
   [[nodiscard]] SecondOrder derivatives(const Point& p, Cursor& cursor) const;
 
-  using Vector = typename Space::Vector;
-  /// At a (scaled) point of an edge.
-  [[nodiscard]] double edge_value(Site from, Site to, const Vector& p) const noexcept;
-  [[nodiscard]] double edge_value(Site from, Site to, const Point& p) const noexcept
-      requires(!std::same_as<Point, Vector>) {
-    return edge_value(from, to, Space{}.vector(p));
-  }
+  /// At a point of an edge, in the plane scaled.
+  [[nodiscard]] double edge_value(Site from, Site to, const Point& p) const noexcept;
   [[nodiscard]] double site_value(Site s) const noexcept { return linear_.site_value(s); }
   [[nodiscard]] decltype(auto) reach() const noexcept { return linear_.reach(); }
-  [[nodiscard]] double scale() const noexcept requires std::same_as<Space, PlaneSpace> {
-    return linear_.scale();
-  }
+  [[nodiscard]] double scale() const noexcept { return space_.scale; }
   [[nodiscard]] Vector scaled(Point p) const noexcept { return space_.vector(p); }
   /// The triangle on the left of an arc, the smallest site first.
   [[nodiscard]] Facet facet(Arc arc) const noexcept;

@@ -8,31 +8,15 @@
 #include "delaunay/parallel.hpp"
 #include "interp/blend_facet.hpp"
 #include "interp/blend_hump.hpp"
+#include "interp/removed_site.hpp"
 
 namespace delone::interp {
 
 namespace {
 
 constexpr Site most_tested = 600;
-constexpr std::size_t patch_size = 120;
-
-/// A node's surroundings: all sites within some rings of it, without it.
-std::vector<Site> surroundings(const Adjacency& t, Site center) {
-  std::vector<Site> sites{center};
-  for (std::size_t first = 0; sites.size() < patch_size;) {
-    const std::size_t end = sites.size();
-    for (std::size_t k = first; k < end && sites.size() < 4 * patch_size; ++k) {
-      for (const Site w : t.neighbors(sites[k])) {
-        if (std::find(sites.begin(), sites.end(), w) == sites.end()) sites.push_back(w);
-        if (sites.size() >= 4 * patch_size) break;
-      }
-    }
-    if (sites.size() == end) break;
-    first = end;
-  }
-  sites.erase(sites.begin());
-  return sites;
-}
+/// Errors beside those of the linear surface that are put up with.
+constexpr double most_loss = 1.01;
 
 /// Squared errors at one node that was left out.
 struct LeftOut {
@@ -45,6 +29,7 @@ template <BlendSpace Space, int Degree>
 class LeaveOneOut {
  public:
   using Triangulation = typename Space::Triangulation;
+  using Vector = typename Space::Vector;
   LeaveOneOut(const Space& space, const Triangulation& triangulation,
               std::span<const double> site_values, const BlendFitOptions& options)
       : space_(space),
@@ -53,80 +38,78 @@ class LeaveOneOut {
         options_(options) {}
 
   [[nodiscard]] LeftOut operator()(Site left_out) const {
-    const Patch patch(*this, left_out);
-    const auto& p = triangulation_->points()[at(left_out)];
-    const Arc arc = patch.triangulation.find(p);
+    const RemovedSite<Triangulation> removed(*triangulation_, left_out);
+    const Spot spot = removed.spot();
     LeftOut result;
-    if (patch.triangulation.dimension() < 2 ||
-        !patch.triangulation.adjacency().has_left(arc))
-      return result;
+    if (spot.kind != Spot::Kind::triangle && spot.kind != Spot::Kind::edge) return result;
     result.is_tested = true;
-    const auto corners = smallest_first(patch.triangulation.adjacency().left(arc));
+    const auto corners = corners_of(spot, removed.rim());
     const double value = site_values_[at(left_out)];
-    const auto position = Space::position(space_.vector(p));
-    StencilGatherer<Space> gatherer(space_, patch.triangulation);
+    const Vector p = vector_of(left_out);
+    StencilGatherer<Space> gatherer(space_, *triangulation_);
     for (std::size_t level = 0; level < num_stiffness_levels; ++level) {
       BlendFitOptions options = options_;
       options.stiffness = stiffness_level(level);
       std::array<BlendModel<Degree>, 3> models;
-      for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t num_used = spot.kind == Spot::Kind::edge ? 2 : 3;
+      for (std::size_t k = 0; k < num_used; ++k) {
         models[k] = fit_blend_model<Space, Degree>(
-            space_, patch.triangulation, patch.values, corners[k],
-            gatherer.around(corners[k], num_nearest(Degree)), options);
+            space_, *triangulation_, site_values_, corners[k],
+            gatherer.around_without(left_out, std::span(corners).first(num_used),
+                                    corners[k], num_nearest(Degree)),
+            options);
       }
-      const double error = facet(patch, corners, models)(space_.vector(p)) - value;
-      result.errors[level] = error * error;
+      const BlendFacet<Space, Degree> surface = facet(corners, models);
+      const double found = spot.kind == Spot::Kind::edge
+                               ? surface.beyond_edge(0, Space::position(p))
+                               : surface(p);
+      result.errors[level] = square(found - value);
     }
-    const double error = linear(patch, corners, position) - value;
-    result.linear = error * error;
+    result.linear = square(linear(spot, p) - value);
     return result;
   }
 
  private:
-  struct Patch {
-    Triangulation triangulation;
-    std::vector<double> values;
-    Patch(const LeaveOneOut& all, Site left_out) {
-      const std::vector<Site> sites =
-          surroundings(all.triangulation_->adjacency(), left_out);
-      std::vector<typename Space::Point> points;
-      for (const Site s : sites) points.push_back(all.triangulation_->points()[at(s)]);
-      triangulation = Triangulation(points, {.num_threads = 1, .progress = {}});
-      for (const Node row : triangulation.rows())
-        values.push_back(all.site_values_[at(sites[at(row)])]);
-    }
-  };
+  static double square(double a) { return a * a; }
 
-  [[nodiscard]] std::array<typename Space::Vector, 3> points_of(
-      const Patch& patch, const std::array<Site, 3>& corners) const {
-    const auto points = patch.triangulation.points();
-    return {space_.vector(points[at(corners[0])]), space_.vector(points[at(corners[1])]),
-            space_.vector(points[at(corners[2])])};
+  // Of an edge any third corner will do: the surface on the edge does not know it.
+  static std::array<Site, 3> corners_of(const Spot& spot, std::span<const Site> rim) {
+    if (spot.kind == Spot::Kind::triangle) return spot.sites;
+    const auto third = std::find_if(rim.begin(), rim.end(), [&](Site s) {
+      return s != spot.sites[0] && s != spot.sites[1];
+    });
+    return {spot.sites[0], spot.sites[1], *third};
+  }
+
+  [[nodiscard]] Vector vector_of(Site s) const {
+    return space_.vector(triangulation_->points()[at(s)]);
   }
 
   [[nodiscard]] BlendFacet<Space, Degree> facet(
-      const Patch& patch, const std::array<Site, 3>& corners,
+      const std::array<Site, 3>& corners,
       const std::array<BlendModel<Degree>, 3>& models) const {
-    const double limit = options_.bounds == Bounds::local
-                             ? 0
-                             : 0.1 * (options_.range.most - options_.range.least);
     typename BlendFacet<Space, Degree>::Corners parts;
-    parts.points = points_of(patch, corners);
+    for (std::size_t k = 0; k < 3; ++k) {
+      parts.points[k] = vector_of(corners[k]);
+      parts.models[k] = &models[k];
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
-      parts.models[k] = &models[k];
-      parts.humps[k] = edge_hump<Space, Degree>(parts.points[k], parts.points[next],
-                                                models[k], models[next], limit);
+      parts.humps[k] =
+          edge_hump<Space, Degree>(parts.points[k], parts.points[next], models[k],
+                                   models[next], most_hump(options_));
     }
     return BlendFacet<Space, Degree>(parts);
   }
 
-  [[nodiscard]] double linear(const Patch& patch, const std::array<Site, 3>& corners,
-                              const typename Space::template Position<double>& p) const {
-    const auto points = points_of(patch, corners);
-    const auto b = corner_weights(points[0], points[1], points[2], Space::vector_of(p));
-    const auto value = [&](std::size_t k) { return patch.values[at(corners[k])]; };
-    return value(0) + b[1] * (value(1) - value(0)) + b[2] * (value(2) - value(0));
+  [[nodiscard]] double linear(const Spot& spot, Vector p) const {
+    const auto value = [&](std::size_t k) { return site_values_[at(spot.sites[k])]; };
+    const Vector a = vector_of(spot.sites[0]), b = vector_of(spot.sites[1]);
+    if (spot.kind == Spot::Kind::edge)
+      return value(0) + edge_weight(a, b, p) * (value(1) - value(0));
+    const auto weights = corner_weights(a, b, vector_of(spot.sites[2]), p);
+    return value(0) + weights[1] * (value(1) - value(0)) +
+           weights[2] * (value(2) - value(0));
   }
 
   Space space_;
@@ -149,7 +132,8 @@ double rarely_exceeded(const std::vector<LeftOut>& tests) {
 }
 
 // The nodes that the linear surface predicts worst do not decide: at the hull and where
-// data are wrong no surface predicts, and one such node outweighs all others.
+// data are wrong no surface predicts, and one such node outweighs all others. But with
+// all nodes a surface must not be worse than the linear one, as long as any is not.
 StiffnessChoice best_of(const std::vector<LeftOut>& tests) {
   StiffnessChoice choice;
   const double limit = rarely_exceeded(tests);
@@ -166,6 +150,9 @@ StiffnessChoice best_of(const std::vector<LeftOut>& tests) {
   const double count = std::max(1.0, static_cast<double>(choice.num_tested));
   for (double& rms : choice.rms) rms = std::sqrt(rms / count);
   choice.linear_rms = std::sqrt(choice.linear_rms / count);
+  for (std::size_t k = 0; k < num_stiffness_levels; ++k) {
+    if (choice.rms[k] > most_loss * choice.linear_rms) scores[k] *= 0x1p100;
+  }
   choice.level = static_cast<std::size_t>(std::min_element(scores.begin(), scores.end()) -
                                           scores.begin());
   return choice;

@@ -230,7 +230,7 @@ Samples<Degree> samples_of(const Space& space,
 Stiffness stiffness_level(std::size_t level) noexcept {
   constexpr std::array<Stiffness, num_stiffness_levels> levels{
       Stiffness{0.1, 0}, Stiffness{-0.1, 0.4}, Stiffness{0.1, 0.6}, Stiffness{0.3, 0.8},
-      Stiffness{0.5, 0.95}};
+      Stiffness{0.8, 0.97}};
   return levels[std::min(level, num_stiffness_levels - 1)];
 }
 

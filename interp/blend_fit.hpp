@@ -33,6 +33,14 @@ struct BlendFitOptions {
   ValueRange range;  ///< of all data
 };
 
+/// The largest hump of an edge.
+[[nodiscard]] inline double most_hump(const BlendFitOptions& options) noexcept {
+  constexpr double range_part = 0.1;
+  return options.bounds == Bounds::local
+             ? 0
+             : range_part * (options.range.most - options.range.least);
+}
+
 /// The polynomial of a node, fitted to the values around it.
 ///
 /// Weighted least squares through the node's value, weights ((R - d) / d)^2 with R 1.05

@@ -69,6 +69,7 @@ struct PlaneSpace {
 };
 
 struct SphereSpace {
+  static constexpr double scale = 1;
   using Triangulation = stripack::Triangulation;
   using Point = stripack::Direction;
   using Vector = Vector3;

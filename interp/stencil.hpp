@@ -41,7 +41,18 @@ class StencilGatherer {
   /// good until the next call.
   [[nodiscard]] std::span<const StencilNode> around(Site center,
                                                     std::size_t num_nearest) {
+    return around_without(none, {}, center, num_nearest);
+  }
+  /// The same once a site is removed, in whose place lies a triangle or edge of
+  /// `joined` sites: neighbours of each other from then on. What else changes in the
+  /// hole is left out of account.
+  [[nodiscard]] std::span<const StencilNode> around_without(Site removed,
+                                                            std::span<const Site> joined,
+                                                            Site center,
+                                                            std::size_t num_nearest) {
     begin(center);
+    if (removed != none) static_cast<void>(is_new(removed));
+    for (const Site s : joined) add(s, true);
     add_neighbors(center, none, true);
     keep_nearest(most_nodes);
     const std::size_t num_first = nodes_.size();
