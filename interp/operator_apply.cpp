@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -37,9 +38,16 @@ struct MatrixRows {
   }
   /// Hardware stops looking ahead where a page ends.
   void prefetch_after(std::int64_t i) const noexcept {
-    constexpr int ahead = 512;
-    __builtin_prefetch(weights + offsets[i] + ahead);
-    __builtin_prefetch(columns + offsets[i] + ahead);
+    constexpr std::uintptr_t ahead = 512;
+    const auto place = static_cast<std::uintptr_t>(offsets[i]) + ahead;
+    prefetch(weights, place * sizeof(double));
+    prefetch(columns, place * sizeof(int));
+  }
+  // As a number: no pointer may lie beyond its array, or count from null.
+  static void prefetch(const void* start, std::uintptr_t bytes) noexcept {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    __builtin_prefetch(
+        reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(start) + bytes));
   }
   const int* offsets;
   const int* columns;
