@@ -142,10 +142,11 @@ class Samples {
   // rise counts as the error.
   [[nodiscard]] double squared_error(std::size_t r, double residual,
                                      double leverage) const {
-    constexpr double least_share = 1e-6;
-    const double share = 1 - leverage;
-    const double error =
-        share > least_share ? std::abs(residual) / share : std::abs(rises_[r]);
+    constexpr double least_share = 1e-12;
+    const double share = std::max(1 - leverage, least_share);
+    const double error = share > 1e-6
+                             ? std::abs(residual) / share
+                             : std::max(std::abs(rises_[r]), std::abs(residual) / share);
     const double unweighted = error / weights_[r];
     return unweighted * unweighted;
   }
@@ -229,7 +230,7 @@ Samples<Degree> samples_of(const Space& space,
 
 Stiffness stiffness_level(std::size_t level) noexcept {
   constexpr std::array<Stiffness, num_stiffness_levels> levels{
-      Stiffness{0.1, 0}, Stiffness{-0.1, 0.4}, Stiffness{0.1, 0.6}, Stiffness{0.3, 0.8},
+      Stiffness{0.1, 0}, Stiffness{-0.3, 0.4}, Stiffness{0.1, 0.6}, Stiffness{0.3, 0.8},
       Stiffness{0.8, 0.97}};
   return levels[std::min(level, num_stiffness_levels - 1)];
 }

@@ -107,25 +107,29 @@ class StencilGatherer {
       add(all[static_cast<std::size_t>((here + k + size) % size)], is_neighbor);
   }
 
-  // Only nodes nearer than the last of the nearest wanted so far can count.
+  // Of the third ring only what is among the nearest wanted.
   void add_third_ring(std::size_t num_first, std::size_t num_nearest) {
     const std::size_t num_second = nodes_.size();
-    double limit = std::numeric_limits<double>::infinity();
-    if (num_second >= num_nearest) {
-      distances_.clear();
-      for (const StencilNode& n : nodes_) distances_.push_back(n.squared_distance);
-      const auto last = distances_.begin() + static_cast<std::ptrdiff_t>(num_nearest) - 1;
-      std::nth_element(distances_.begin(), last, distances_.end());
-      limit = *last;
-    }
+    const double reach = distance_of_nearest(num_nearest);
     for (std::size_t k = num_first; k < num_second; ++k) {
-      if (nodes_[k].squared_distance < limit)
+      if (nodes_[k].squared_distance < reach)
         add_neighbors(nodes_[k].site, center_, false);
     }
+    const double limit = distance_of_nearest(num_nearest);
     const auto is_far = [&](const StencilNode& n) { return n.squared_distance > limit; };
     nodes_.erase(std::remove_if(nodes_.begin() + static_cast<std::ptrdiff_t>(num_second),
                                 nodes_.end(), is_far),
                  nodes_.end());
+  }
+
+  // Squared, of the nearest so many; infinite if there are fewer.
+  [[nodiscard]] double distance_of_nearest(std::size_t count) {
+    if (nodes_.size() < count) return std::numeric_limits<double>::infinity();
+    distances_.clear();
+    for (const StencilNode& n : nodes_) distances_.push_back(n.squared_distance);
+    const auto last = distances_.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+    std::nth_element(distances_.begin(), last, distances_.end());
+    return *last;
   }
 
   void keep_nearest(std::size_t most) {
