@@ -6,16 +6,18 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
-#include <random>
 #include <vector>
 
 #include "interp/linear_surface.hpp"
 #include "interp/nearest_surface.hpp"
 #include "interp/operator.hpp"
+#include "random_points.hpp"
 
 namespace {
 
 using delone::RunOptions;
+using delone::bench::plane_points;
+using delone::bench::sphere_points;
 using delone::stripack::Direction;
 using delone::stripack::LonLat;
 using delone::tripack::Point2;
@@ -40,23 +42,6 @@ double seconds(F f) {
 void report(const char* what, double time, std::int64_t count) {
   std::printf("%-58s %8.4f s %8.2f ns each\n", what, time,
               1e9 * time / static_cast<double>(count));
-}
-
-std::vector<Point2> plane_points(std::size_t n, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<Point2> points(n);
-  for (Point2& p : points) p = {unit(random), unit(random)};
-  return points;
-}
-
-std::vector<Direction> sphere_points(std::size_t n, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  std::vector<Direction> points;
-  while (points.size() < n)
-    points.push_back(Direction::from(normal(random), normal(random), normal(random)));
-  return points;
 }
 
 std::vector<double> values_at(const std::vector<Point2>& points) {

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -19,10 +18,13 @@
 #include "interp/natural_surface.hpp"
 #include "interp/rbf_surface.hpp"
 #include "interp/shepard_surface.hpp"
+#include "random_points.hpp"
 
 namespace {
 
 using delone::RunOptions;
+using delone::bench::plane_points;
+using delone::bench::sphere_points;
 using delone::stripack::Direction;
 using delone::tripack::Point2;
 namespace interp = delone::interp;
@@ -41,23 +43,6 @@ double seconds(F f) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   return least;
-}
-
-std::vector<Point2> plane_points(std::size_t n, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<Point2> points(n);
-  for (Point2& p : points) p = {unit(random), unit(random)};
-  return points;
-}
-
-std::vector<Direction> sphere_points(std::size_t n, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  std::vector<Direction> points;
-  while (points.size() < n)
-    points.push_back(Direction::from(normal(random), normal(random), normal(random)));
-  return points;
 }
 
 double value_at(Point2 p) { return std::sin(9 * p.x) * std::cos(7 * p.y); }

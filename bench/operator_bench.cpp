@@ -14,6 +14,7 @@
 #include "interp/linear_surface.hpp"
 #include "interp/operator.hpp"
 #include "measure.hpp"
+#include "random_points.hpp"
 
 namespace {
 
@@ -104,16 +105,9 @@ void measure_applying(const std::string& name, const interp::Operator& op) {
          reading);
 }
 
-std::vector<Point2> random_points(std::size_t n) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<Point2> points(n);
-  for (Point2& p : points) p = {unit(random), unit(random)};
-  return points;
-}
-
 void measure_linear() {
-  const auto t = std::make_shared<delone::tripack::Triangulation>(random_points(100'000));
+  const auto t =
+      std::make_shared<delone::tripack::Triangulation>(bench::plane_points(100'000, 1));
   const auto nodes = interp::plane_nodes(
       interp::plane_grid({0, 1, 0, 1}, interp::NodeCounts{2000, 2000}));
   const double time =
@@ -142,7 +136,7 @@ interp::Operator regridding() {
 
 void measure_leaving_out() {
   const auto t =
-      std::make_shared<delone::tripack::Triangulation>(random_points(1'000'000));
+      std::make_shared<delone::tripack::Triangulation>(bench::plane_points(1'000'000, 1));
   const std::vector<double> values = random_values(1'000'000);
   const double time = median_seconds(
       [&] { (void)interp::leave_out_linear(t, values, {}, one_thread()); });

@@ -9,6 +9,7 @@
 #include "delaunay/parallel.hpp"
 #include "interp/blend_choice.hpp"
 #include "interp/blend_hump.hpp"
+#include "interp/east_north.hpp"
 
 namespace delone::interp {
 
@@ -21,9 +22,6 @@ SphereSpace space_of(const SphereCells&) { return {}; }
 
 Point2 scaled_vector(Point2 p) { return p; }
 Vector3 scaled_vector(const Direction& p) { return vector(p); }
-
-bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-bool is_finite(const Direction&) { return true; }
 
 // The point as a function of two lengths from it: by x and y in the plane, along the
 // geodesics towards east and north on the sphere.
@@ -54,8 +52,8 @@ SecondOrder linear_derivatives(const PlaneCells& cells, Point2 p, Cursor& cursor
 
 SecondOrder linear_derivatives(const SphereCells& cells, const Direction& p,
                                Cursor& cursor) {
-  const Vector3 g = cells.gradient(p, cursor), east = east_at(p);
-  return piecewise(cells.value(p, cursor), dot(g, east), dot(g, cross(vector(p), east)));
+  const GradientSphere g = east_and_north(cells.gradient(p, cursor), p);
+  return piecewise(cells.value(p, cursor), g.east, g.north);
 }
 
 }  // namespace
@@ -159,8 +157,7 @@ EdgeHump BlendCells<Space, Degree>::hump(Arc arc) const noexcept {
 template <BlendSpace Space, int Degree>
 auto BlendCells<Space, Degree>::facet(Arc arc) const noexcept -> Facet {
   const Adjacency& t = triangulation().adjacency();
-  while (t.target(arc) < arc.origin || t.target(t.next(arc)) < arc.origin)
-    arc = t.previous(t.reverse(arc));
+  arc = from_smallest_corner(t, arc);
   const Arc second = t.previous(t.reverse(arc)), third = t.reverse(t.next(arc));
   const std::array<Site, 3> corners = t.left(arc);
   typename Facet::Corners parts;

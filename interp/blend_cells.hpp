@@ -56,10 +56,6 @@ class BlendCells {
   }
   [[nodiscard]] const C1Fit& fit() const noexcept { return fit_; }
   [[nodiscard]] const Linear& linear() const noexcept { return linear_; }
-  [[nodiscard]] std::span<const BlendModel<Degree>> models() const noexcept {
-    return models_;
-  }
-
   [[nodiscard]] double value(const Point& p, Cursor& cursor) const;
   /// By x and y in the plane; by distance towards east and north on the unit sphere,
   /// second derivatives along geodesics. NaN if missing.

@@ -46,23 +46,12 @@ class LeaveOneOut {
     const auto corners = corners_of(spot, removed.rim());
     const double value = site_values_[at(left_out)];
     const Vector p = vector_of(left_out);
-    StencilGatherer<Space> gatherer(space_, *triangulation_);
+    const bool is_on_edge = spot.kind == Spot::Kind::edge;
+    const auto models = fits(left_out, std::span(corners).first(is_on_edge ? 2 : 3));
     for (std::size_t level = 0; level < num_stiffness_levels; ++level) {
-      BlendFitOptions options = options_;
-      options.stiffness = stiffness_level(level);
-      std::array<BlendModel<Degree>, 3> models;
-      const std::size_t num_used = spot.kind == Spot::Kind::edge ? 2 : 3;
-      for (std::size_t k = 0; k < num_used; ++k) {
-        models[k] = fit_blend_model<Space, Degree>(
-            space_, *triangulation_, site_values_, corners[k],
-            gatherer.around_without(left_out, std::span(corners).first(num_used),
-                                    corners[k], num_nearest(Degree)),
-            options);
-      }
-      const BlendFacet<Space, Degree> surface = facet(corners, models);
-      const double found = spot.kind == Spot::Kind::edge
-                               ? surface.beyond_edge(0, Space::position(p))
-                               : surface(p);
+      const BlendFacet<Space, Degree> surface = facet(corners, models[level]);
+      const double found =
+          is_on_edge ? surface.beyond_edge(0, Space::position(p)) : surface(p);
       result.errors[level] = square(found - value);
     }
     result.linear = square(linear(spot, p) - value);
@@ -70,7 +59,27 @@ class LeaveOneOut {
   }
 
  private:
+  using Models = std::array<BlendModel<Degree>, 3>;
+
   static double square(double a) { return a * a; }
+
+  // The polynomials of the corners, by stiffness. Stencils are the same for all.
+  [[nodiscard]] std::array<Models, num_stiffness_levels> fits(
+      Site left_out, std::span<const Site> corners) const {
+    std::array<Models, num_stiffness_levels> models;
+    StencilGatherer<Space> gatherer(space_, *triangulation_);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto stencil =
+          gatherer.around_without(left_out, corners, corners[k], num_nearest(Degree));
+      for (std::size_t level = 0; level < num_stiffness_levels; ++level) {
+        BlendFitOptions options = options_;
+        options.stiffness = stiffness_level(level);
+        models[level][k] = fit_blend_model<Space, Degree>(
+            space_, *triangulation_, site_values_, corners[k], stencil, options);
+      }
+    }
+    return models;
+  }
 
   // Of an edge any third corner will do: the surface on the edge does not know it.
   static std::array<Site, 3> corners_of(const Spot& spot, std::span<const Site> rim) {
@@ -85,9 +94,8 @@ class LeaveOneOut {
     return space_.vector(triangulation_->points()[at(s)]);
   }
 
-  [[nodiscard]] BlendFacet<Space, Degree> facet(
-      const std::array<Site, 3>& corners,
-      const std::array<BlendModel<Degree>, 3>& models) const {
+  [[nodiscard]] BlendFacet<Space, Degree> facet(const std::array<Site, 3>& corners,
+                                                const Models& models) const {
     typename BlendFacet<Space, Degree>::Corners parts;
     for (std::size_t k = 0; k < 3; ++k) {
       parts.points[k] = vector_of(corners[k]);

@@ -120,12 +120,11 @@ class BlendFacet {
                                  Space::difference(points_[1], points_[0]),
                                  Space::difference(points_[2], points_[0]))),
         is_thin_(is_thin(points_[0], points_[1], points_[2])) {
-    double tension = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       models_[k] = *corners.models[k];
       axes_[k] = Space::axes(points_[k]);
       base_[k] = models_[k].value - corners.models[0]->value;
-      tension += models_[k].tension / 3;
+      tension_ += models_[k].tension / 3;
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
@@ -134,7 +133,7 @@ class BlendFacet {
       along_[k] = scaled(along, 1 / squared);
       edge_tension_[k] = 0.5 * (models_[k].tension + models_[next].tension);
     }
-    set_tension(tension);
+    slack_ = (1 - tension_) * (1 - tension_);
   }
 
   /// At a (scaled) point of the closed triangle.
@@ -222,11 +221,6 @@ class BlendFacet {
 
   static Point2 scaled(Point2 a, double s) noexcept { return {a.x * s, a.y * s}; }
   static Vector3 scaled(Vector3 a, double s) noexcept { return s * a; }
-
-  void set_tension(double tension) noexcept {
-    tension_ = tension;
-    slack_ = (1 - tension) * (1 - tension);
-  }
 
   // Above the value of the first corner, so that constants come out exactly.
   template <class S, class Soften>

@@ -2,11 +2,10 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <span>
 
 #include "delaunay/adjacency.hpp"
-#include "interp/index.hpp"
+#include "interp/operator_terms.hpp"
 
 namespace delone::interp {
 
@@ -33,12 +32,7 @@ class Combination {
   /// NaN if missing. Computed from the first site on, so that constants are reproduced
   /// exactly.
   [[nodiscard]] double value(std::span<const double> site_values) const noexcept {
-    if (size_ == 0) return std::numeric_limits<double>::quiet_NaN();
-    const double first = site_values[at(sites_[0])];
-    double sum = 0;
-    for (std::size_t i = 1; i < size_; ++i)
-      sum += weights_[i] * (site_values[at(sites_[i])] - first);
-    return first + sum;
+    return weighted_value(*this, site_values);
   }
 
  private:

@@ -1,8 +1,8 @@
 #include "interp/linear_surface.hpp"
 
-#include <cmath>
 #include <utility>
 
+#include "interp/east_north.hpp"
 #include "interp/plane_cells.hpp"
 #include "interp/sphere_cells.hpp"
 
@@ -11,15 +11,6 @@ namespace delone::interp {
 namespace {
 
 Gradient2 as_gradient(Point2 g) { return {g.x, g.y}; }
-
-// At a pole the longitude counts as 0, as lonlat() has it.
-GradientSphere east_and_north(Vector3 g, const Direction& p) {
-  const double across = std::hypot(p.x(), p.y());
-  const double cosine = across == 0 ? 1 : p.x() / across,
-               sine = across == 0 ? 0 : p.y() / across;
-  return {.east = g.y * cosine - g.x * sine,
-          .north = g.z * across - p.z() * (g.x * cosine + g.y * sine)};
-}
 
 template <class Triangulation>
 std::vector<double> site_values(const Triangulation& t,

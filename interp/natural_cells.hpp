@@ -13,9 +13,8 @@
 
 #include "interp/natural_view.hpp"
 #include "interp/plane_cells.hpp"
-#include "interp/plane_reach.hpp"
+#include "interp/reach.hpp"
 #include "interp/sphere_cells.hpp"
-#include "interp/sphere_reach.hpp"
 
 namespace delone::interp {
 
@@ -29,12 +28,6 @@ struct NaturalRoom<PlaneView> {
   using Linear = PlaneCells;
   using Reach = PlaneReach;
   using Gradient = Point2;  // per unit of x and y
-  [[nodiscard]] static Reach reach(const Triangulation& t, const NaturalOptions& o) {
-    return {t, o.max_distance};
-  }
-  [[nodiscard]] static bool is_finite(Point p) noexcept {
-    return std::isfinite(p.x) && std::isfinite(p.y);
-  }
   [[nodiscard]] static Gradient gradient(const PlaneView&, Pair<double> g,
                                          double scale) noexcept {
     return {g.x * scale, g.y * scale};
@@ -50,24 +43,12 @@ struct NaturalRoom<SphereView> {
   using Linear = SphereCells;
   using Reach = SphereReach;
   using Gradient = Vector3;  // tangent to the sphere
-  [[nodiscard]] static Reach reach(const Triangulation& t, const NaturalOptions& o) {
-    return {t, o.max_distance, o.distance};
-  }
-  [[nodiscard]] static bool is_finite(const Point&) noexcept { return true; }
   [[nodiscard]] static Gradient gradient(const SphereView& view, Pair<double> g,
                                          double) noexcept {
     return view.slope(g);
   }
   [[nodiscard]] static Gradient gradient(Vector3 slope, double) noexcept { return slope; }
 };
-
-/// The arc that leaves the smallest corner of the triangle on the left of `a`, with the
-/// triangle on its left.
-[[nodiscard]] inline Arc from_smallest_corner(const Adjacency& t, Arc a) noexcept {
-  const std::array<Site, 3> c = t.left(a);
-  if (c[0] < c[1] && c[0] < c[2]) return a;
-  return c[1] < c[2] ? t.previous(t.reverse(a)) : t.reverse(t.next(a));
-}
 
 /// A natural-neighbour surface: what its queries and its weights share. Where the
 /// triangulation does not hold a point strictly inside its hull, the linear surface knows
@@ -93,7 +74,7 @@ class NaturalCells {
         kind_(options.kind),
         scale_(scale),
         linear_(triangulation_, values_, options.surface()),
-        reach_(Room::reach(*triangulation_, options)) {}
+        reach_(reach_of(*triangulation_, options.surface())) {}
 
   [[nodiscard]] const Triangulation& triangulation() const noexcept {
     return *triangulation_;
@@ -147,7 +128,7 @@ class NaturalCells {
   using Sites = SmallVector<Site, CavityShape::usual>;
 
   [[nodiscard]] bool is_usable(const Point& p) const noexcept {
-    return Room::is_finite(p) && triangulation_->num_sites() > 0;
+    return is_finite(p) && triangulation_->num_sites() > 0;
   }
   [[nodiscard]] bool is_cubic() const noexcept { return !slopes_.empty(); }
 
@@ -189,17 +170,10 @@ class NaturalCells {
     return reach_.covers(p, start.origin);
   }
 
-  // Within the range of the values; from the first one on, so that constants are exact.
   [[nodiscard]] double mean(const Sites& sites,
                             const PerCorner<double>& weights) const noexcept {
-    const double first = values_[at(sites[0])];
-    double sum = 0, low = first, high = first;
-    for (std::size_t k = 1; k < sites.size(); ++k) {
-      const double other = values_[at(sites[k])];
-      low = std::min(low, other), high = std::max(high, other);
-      sum += weights[k] * (other - first);
-    }
-    return std::clamp(first + sum, low, high);
+    return bounded_mean({sites.data(), sites.size()}, {weights.data(), weights.size()},
+                        values_);
   }
 
   [[nodiscard]] Dual<double> sloped_mean(

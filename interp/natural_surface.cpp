@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "delaunay/error.hpp"
-#include "interp/axis_table.hpp"
 #include "interp/cursor.hpp"
-#include "interp/globe_table.hpp"
 #include "interp/natural_cells.hpp"
 #include "interp/natural_gradients.hpp"
 #include "interp/row_walk.hpp"
@@ -89,14 +87,7 @@ std::vector<typename View::Slope> slopes_from(const Triangulation& t,
   return slopes;
 }
 
-// A power of two.
-double scale_of(std::span<const Point2> points) {
-  double largest = 0;
-  for (const Point2 p : points)
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  if (largest == 0 || (largest > 0x1p-200 && largest < 0x1p200)) return 1;
-  return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022));
-}
+double scale_of(std::span<const Point2> points) { return coordinate_scale(points); }
 double scale_of(std::span<const Direction>) { return 1; }
 
 bool needs_slopes(const NaturalOptions& options, int dimension) {
@@ -186,12 +177,8 @@ std::vector<NaturalWeights> PlaneNatural::weights(std::span<const tripack::Point
 }
 
 Field PlaneNatural::grid(const Grid& grid, const RunOptions& run) const {
-  check(grid);
-  const AxisTable x(grid.x), y(grid.y);
-  return {grid, walk_rows(y.size(), x.size(), run,
-                          [&](std::int64_t i, std::int64_t j, Cursor& cursor) {
-                            return cells_->value({x[i], y[j]}, cursor);
-                          })};
+  return walk_plane_grid(
+      grid, run, [&](Point2 p, Cursor& cursor) { return cells_->value(p, cursor); });
 }
 
 SphereNatural::SphereNatural(std::shared_ptr<const stripack::Triangulation> triangulation,
@@ -244,12 +231,9 @@ std::vector<NaturalWeights> SphereNatural::weights(
 }
 
 Field SphereNatural::grid(const Grid& lonlat_grid, const RunOptions& run) const {
-  check_globe(lonlat_grid);
-  const GlobeTable table(lonlat_grid);
-  return {lonlat_grid, walk_rows(table.rows(), table.columns(), run,
-                                 [&](std::int64_t i, std::int64_t j, Cursor& cursor) {
-                                   return cells_->value(table.node(i, j), cursor);
-                                 })};
+  return walk_globe_grid(lonlat_grid, run, [&](const Direction& p, Cursor& cursor) {
+    return cells_->value(p, cursor);
+  });
 }
 
 }  // namespace delone::interp

@@ -10,6 +10,22 @@
 
 namespace delone::interp {
 
+/// The mean of site values with weights that sum to one up to rounding, at least one.
+/// Within the range of the values it takes; computed from the first site on, so that
+/// constants are reproduced exactly.
+[[nodiscard]] inline double bounded_mean(std::span<const delaunay::Site> sites,
+                                         std::span<const double> weights,
+                                         std::span<const double> site_values) noexcept {
+  const double first = site_values[static_cast<std::size_t>(sites[0])];
+  double sum = 0, low = first, high = first;
+  for (std::size_t i = 1; i < sites.size(); ++i) {
+    const double other = site_values[static_cast<std::size_t>(sites[i])];
+    low = std::min(low, other), high = std::max(high, other);
+    sum += weights[i] * (other - first);
+  }
+  return std::clamp(first + sum, low, high);
+}
+
 /// An interpolated value as a sum of weights times site values, any number of them; no
 /// terms: missing. The weights are not negative and sum to one up to rounding.
 class NaturalWeights {
@@ -25,18 +41,10 @@ class NaturalWeights {
     return {weights_.data(), weights_.size()};
   }
 
-  /// NaN if missing. Within the range of the values it takes; computed from the first
-  /// site on, so that constants are reproduced exactly.
+  /// NaN if missing; else their bounded mean.
   [[nodiscard]] double value(std::span<const double> site_values) const noexcept {
     if (sites_.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const double first = site_values[static_cast<std::size_t>(sites_[0])];
-    double sum = 0, low = first, high = first;
-    for (std::size_t i = 1; i < sites_.size(); ++i) {
-      const double other = site_values[static_cast<std::size_t>(sites_[i])];
-      low = std::min(low, other), high = std::max(high, other);
-      sum += weights_[i] * (other - first);
-    }
-    return std::clamp(first + sum, low, high);
+    return bounded_mean(sites(), weights(), site_values);
   }
 
  private:

@@ -4,13 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "delaunay/error.hpp"
-#include "interp/cursor.hpp"
-#include "interp/globe_table.hpp"
-#include "interp/plane_reach.hpp"
+#include "interp/nearest_answer.hpp"
 #include "interp/row_walk.hpp"
-#include "interp/sphere_reach.hpp"
-#include "interp/spot.hpp"
 
 namespace delone::interp {
 
@@ -18,37 +13,18 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-PlaneReach make_reach(const tripack::Triangulation& t, const SurfaceOptions& o) {
-  return {t, o.max_distance};
-}
-SphereReach make_reach(const stripack::Triangulation& t, const SurfaceOptions& o) {
-  return {t, o.max_distance, o.distance};
-}
-
-bool is_finite(tripack::Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-bool is_finite(const stripack::Direction&) { return true; }
-
 template <class Triangulation, class Point>
 double nearest_value(const Triangulation& t, std::span<const double> site_values,
                      const SurfaceOptions& options, const Point& p, Cursor& cursor) {
-  if (t.num_sites() == 0 || !is_finite(p)) return missing;
-  if (options.outside == Outside::missing &&
-      find_spot(t, p, cursor.arc).kind == Spot::Kind::outside) {
-    return missing;
-  }
-  cursor.site = nearest_site(t, p, cursor.site);
-  return make_reach(t, options).covers(p, cursor.site) ? site_values[at(cursor.site)]
-                                                       : missing;
+  const Site s = nearest_answer(t, options, p, cursor);
+  return s == none ? missing : site_values[at(s)];
 }
 
 template <class Triangulation>
 std::vector<double> checked_values(const Triangulation& t,
                                    std::span<const double> row_values,
                                    const SurfaceOptions& options) {
-  check(options);
-  if (options.outside == Outside::linear) {
-    throw Error("nearest values have no linear continuation; take nearest or missing");
-  }
+  check_nearest(options);
   return values_at_sites(t.sites(), t.num_sites(), row_values, options.duplicates);
 }
 
@@ -88,13 +64,9 @@ std::vector<Gradient2> PlaneNearest::gradients(std::span<const tripack::Point2> 
 }
 
 Field PlaneNearest::grid(const Grid& grid, const RunOptions& run) const {
-  check(grid);
-  const AxisTable x(grid.x), y(grid.y);
-  return {grid, walk_rows(y.size(), x.size(), run,
-                          [&](std::int64_t i, std::int64_t j, Cursor& cursor) {
-                            return nearest_value(*triangulation_, values_, options_,
-                                                 tripack::Point2{x[i], y[j]}, cursor);
-                          })};
+  return walk_plane_grid(grid, run, [&](tripack::Point2 p, Cursor& cursor) {
+    return nearest_value(*triangulation_, values_, options_, p, cursor);
+  });
 }
 
 SphereNearest::SphereNearest(std::shared_ptr<const stripack::Triangulation> triangulation,
@@ -132,14 +104,10 @@ std::vector<GradientSphere> SphereNearest::gradients(
 }
 
 Field SphereNearest::grid(const Grid& lonlat_grid, const RunOptions& run) const {
-  check_globe(lonlat_grid);
-  const GlobeTable table(lonlat_grid);
-  return {lonlat_grid, walk_rows(table.rows(), table.columns(), run,
-                                 [&](std::int64_t i, std::int64_t j, Cursor& cursor) {
-                                   return nearest_value(*triangulation_, values_,
-                                                        options_, table.node(i, j),
-                                                        cursor);
-                                 })};
+  return walk_globe_grid(
+      lonlat_grid, run, [&](const stripack::Direction& p, Cursor& cursor) {
+        return nearest_value(*triangulation_, values_, options_, p, cursor);
+      });
 }
 
 }  // namespace delone::interp

@@ -1,9 +1,8 @@
 #include "interp/operator.hpp"
 
-#include <cmath>
 #include <utility>
 
-#include "delaunay/error.hpp"
+#include "interp/nearest_answer.hpp"
 #include "interp/operator_assembly.hpp"
 #include "interp/plane_cells.hpp"
 #include "interp/sphere_cells.hpp"
@@ -23,40 +22,17 @@ Operator make_linear(const std::shared_ptr<const Triangulation>& triangulation,
       [&](const Point& p, Cursor& cursor) { return cells.combination(p, cursor); });
 }
 
-bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-bool is_finite(const Direction&) { return true; }
-
-PlaneReach make_reach(const tripack::Triangulation& t, const SurfaceOptions& o) {
-  return {t, o.max_distance};
-}
-SphereReach make_reach(const stripack::Triangulation& t, const SurfaceOptions& o) {
-  return {t, o.max_distance, o.distance};
-}
-
-template <class Triangulation, class Point>
-Combination nearest_combination(const Triangulation& t, const SurfaceOptions& options,
-                                const Point& p, Cursor& cursor) {
-  Combination sum;
-  if (t.num_sites() == 0 || !is_finite(p)) return sum;
-  if (options.outside == Outside::missing &&
-      find_spot(t, p, cursor.arc).kind == Spot::Kind::outside)
-    return sum;
-  cursor.site = nearest_site(t, p, cursor.site);
-  if (make_reach(t, options).covers(p, cursor.site)) sum.add(cursor.site, 1);
-  return sum;
-}
-
 template <class Triangulation, class Point>
 Operator make_nearest(const Triangulation& t, std::span<const Point> targets,
                       const SurfaceOptions& options, const RunOptions& run) {
-  check(options);
-  if (options.outside == Outside::linear) {
-    throw Error("nearest values have no linear continuation; take nearest or missing");
-  }
+  check_nearest(options);
   const RowShares shares(t, options.duplicates);
   return assemble_operator(targets, t.adjacency(), shares, t.num_rows(), run,
                            [&](const Point& p, Cursor& cursor) {
-                             return nearest_combination(t, options, p, cursor);
+                             Combination sum;
+                             const Site s = nearest_answer(t, options, p, cursor);
+                             if (s != none) sum.add(s, 1);
+                             return sum;
                            });
 }
 

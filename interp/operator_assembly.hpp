@@ -91,33 +91,22 @@ template <class Point, class Terms>
                                          const delaunay::Adjacency& t,
                                          const RowShares& shares, delaunay::Node num_rows,
                                          const RunOptions& run, Terms terms) {
-  constexpr std::size_t block = std::size_t{1} << 24;
-  constexpr std::int64_t chunk = 4096, ahead = 8;
+  constexpr std::int64_t ahead = 8;
   constexpr double part_for_terms = 0.9;  // of the progress
-  const double scale = part_for_terms / static_cast<double>(targets.size());
-  OperatorAssembly assembly(targets.size(), num_rows,
-                            (targets.size() + at(chunk) - 1) / at(chunk));
-  for (std::size_t begin = 0; begin < targets.size(); begin += block) {
-    const auto part = targets.subspan(begin, std::min(block, targets.size() - begin));
-    const delaunay::Buffer<delaunay::KeyedRow> order = order_along_curve(part);
-    const auto size = static_cast<std::int64_t>(part.size());
-    const auto index = [&](std::int64_t k) { return order[at(k)] & 0xffffffffu; };
-    const auto compute = [&](std::int64_t first, std::int64_t last) {
-      Cursor cursor =
-          cursor_along_curve(t, static_cast<double>(first) / static_cast<double>(size));
-      OperatorChunk rows(at(last - first));
-      for (std::int64_t k = first; k < last; ++k) {
-        if (k + ahead < last) __builtin_prefetch(&part[index(k + ahead)]);
-        const SiteTerms auto sum = terms(part[index(k)], cursor);
-        rows.append(static_cast<std::int64_t>(begin + index(k)), sum.sites(),
-                    sum.weights(), shares);
-      }
-      assembly.keep((begin + at(first)) / at(chunk), std::move(rows));
-    };
-    delaunay::parallel_chunks(size, chunk, run, compute,
-                              {scale * static_cast<double>(begin),
-                               scale * static_cast<double>(begin + part.size())});
-  }
+  OperatorAssembly assembly(
+      targets.size(), num_rows,
+      (targets.size() + at(CurveChunk::most) - 1) / at(CurveChunk::most));
+  visit_along_curve(targets, run, {0, part_for_terms}, [&](const CurveChunk& chunk) {
+    Cursor cursor = cursor_along_curve(t, chunk.place());
+    OperatorChunk rows(at(chunk.size()));
+    for (std::int64_t k = 0; k < chunk.size(); ++k) {
+      if (k + ahead < chunk.size()) __builtin_prefetch(&targets[chunk[k + ahead]]);
+      const SiteTerms auto sum = terms(targets[chunk[k]], cursor);
+      rows.append(static_cast<std::int64_t>(chunk[k]), sum.sites(), sum.weights(),
+                  shares);
+    }
+    assembly.keep(at(chunk.number()), std::move(rows));
+  });
   return assembly.finish(run);
 }
 

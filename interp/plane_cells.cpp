@@ -12,17 +12,15 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+}  // namespace
 
-double choose_scale(std::span<const Point2> points) {
+double coordinate_scale(std::span<const Point2> points) {
   double largest = 0;
   for (const Point2 p : points)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   if (largest == 0 || (largest > 0x1p-200 && largest < 0x1p200)) return 1;
   return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022));
 }
-
-}  // namespace
 
 void check(const SurfaceOptions& options) {
   if (!(options.max_distance >= 0)) throw Error("max_distance must be zero or more");
@@ -33,7 +31,7 @@ PlaneCells::PlaneCells(std::shared_ptr<const tripack::Triangulation> triangulati
     : triangulation_(std::move(triangulation)),
       values_(std::move(site_values)),
       options_(options),
-      scale_(choose_scale(triangulation_->points())),
+      scale_(coordinate_scale(triangulation_->points())),
       reach_(*triangulation_, options.max_distance),
       extension_(*triangulation_, scale_) {
   check(options);

@@ -9,11 +9,15 @@
 #include "interp/grid.hpp"
 #include "interp/hull_extension.hpp"
 #include "interp/plane_facet.hpp"
-#include "interp/plane_reach.hpp"
+#include "interp/reach.hpp"
 #include "interp/spot.hpp"
 #include "interp/surface_options.hpp"
 
 namespace delone::interp {
+
+/// Power of two by which coordinates are multiplied so that products of them stay within
+/// range; 1 unless they are beyond 2^+-200.
+[[nodiscard]] double coordinate_scale(std::span<const Point2> points);
 
 /// The piecewise linear function on a planar triangulation: what PlaneLinear, its grids
 /// and its operator share.

@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "delaunay/parallel.hpp"
+#include "interp/axis_table.hpp"
 #include "interp/cursor.hpp"
+#include "interp/globe_table.hpp"
+#include "interp/grid.hpp"
 #include "interp/index.hpp"
 
 namespace delone::interp {
@@ -27,6 +30,30 @@ template <class Evaluate>
                               }
                             });
   return out;
+}
+
+/// `evaluate(point, cursor)` at the nodes of a plane grid. Throws Error as check(Grid).
+template <class Evaluate>
+[[nodiscard]] Field walk_plane_grid(const Grid& grid, const RunOptions& run,
+                                    Evaluate evaluate) {
+  check(grid);
+  const AxisTable x(grid.x), y(grid.y);
+  return {grid, walk_rows(y.size(), x.size(), run,
+                          [&](std::int64_t i, std::int64_t j, Cursor& cursor) {
+                            return evaluate(tripack::Point2{x[i], y[j]}, cursor);
+                          })};
+}
+
+/// The same at the nodes of a longitude-latitude grid. Throws Error as check_globe.
+template <class Evaluate>
+[[nodiscard]] Field walk_globe_grid(const Grid& lonlat_grid, const RunOptions& run,
+                                    Evaluate evaluate) {
+  check_globe(lonlat_grid);
+  const GlobeTable table(lonlat_grid);
+  return {lonlat_grid, walk_rows(table.rows(), table.columns(), run,
+                                 [&](std::int64_t i, std::int64_t j, Cursor& cursor) {
+                                   return evaluate(table.node(i, j), cursor);
+                                 })};
 }
 
 }  // namespace delone::interp

@@ -8,14 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "interp/axis_table.hpp"
-#include "interp/globe_table.hpp"
+#include "interp/east_north.hpp"
 #include "interp/grid.hpp"
 #include "interp/linear_surface.hpp"
-#include "interp/plane_reach.hpp"
+#include "interp/reach.hpp"
 #include "interp/row_walk.hpp"
 #include "interp/scatter_jet.hpp"
-#include "interp/sphere_reach.hpp"
 
 namespace delone::interp {
 
@@ -31,7 +29,6 @@ class PlaneDomain {
   using Point = tripack::Point2;
   using Gradient = Gradient2;
   using Position = std::array<double, dimension>;
-  using Reach = PlaneReach;
 
   explicit PlaneDomain(std::span<const Point> points) {
     double largest = 0;
@@ -43,9 +40,6 @@ class PlaneDomain {
     scale_ = std::ldexp(1.0, std::clamp(-1 - exponent, -1022, 1022));
   }
 
-  [[nodiscard]] static bool is_finite(Point p) noexcept {
-    return std::isfinite(p.x) && std::isfinite(p.y);
-  }
   [[nodiscard]] Position position(Point p) const noexcept {
     return {p.x * scale_, p.y * scale_};
   }
@@ -58,19 +52,11 @@ class PlaneDomain {
   [[nodiscard]] Gradient gradient(const Position& slope, Point) const noexcept {
     return {slope[0] * scale_, slope[1] * scale_};
   }
-  [[nodiscard]] static Reach reach(const Triangulation& t, const SurfaceOptions& o) {
-    return {t, o.max_distance};
-  }
   /// evaluate(point, cursor) for the nodes of a grid.
   template <class Evaluate>
   [[nodiscard]] static Field field(const Grid& grid, const RunOptions& run,
                                    Evaluate evaluate) {
-    check(grid);
-    const AxisTable x(grid.x), y(grid.y);
-    return {grid, walk_rows(y.size(), x.size(), run,
-                            [&](std::int64_t i, std::int64_t j, Cursor& cursor) {
-                              return evaluate(Point{x[i], y[j]}, cursor);
-                            })};
+    return walk_plane_grid(grid, run, evaluate);
   }
 
  private:
@@ -85,11 +71,9 @@ class SphereDomain {
   using Point = stripack::Direction;
   using Gradient = GradientSphere;
   using Position = std::array<double, dimension>;
-  using Reach = SphereReach;
 
   explicit SphereDomain(std::span<const Point>) {}
 
-  [[nodiscard]] static bool is_finite(const Point&) noexcept { return true; }
   [[nodiscard]] static Position position(const Point& p) noexcept {
     return {p.x(), p.y(), p.z()};
   }
@@ -98,26 +82,13 @@ class SphereDomain {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan};
   }
-  // At a pole the longitude counts as 0, as lonlat() has it.
   [[nodiscard]] static Gradient gradient(const Position& g, const Point& p) noexcept {
-    const double across = std::hypot(p.x(), p.y());
-    const double cosine = across == 0 ? 1 : p.x() / across,
-                 sine = across == 0 ? 0 : p.y() / across;
-    return {.east = g[1] * cosine - g[0] * sine,
-            .north = g[2] * across - p.z() * (g[0] * cosine + g[1] * sine)};
-  }
-  [[nodiscard]] static Reach reach(const Triangulation& t, const SurfaceOptions& o) {
-    return {t, o.max_distance, o.distance};
+    return east_and_north({g[0], g[1], g[2]}, p);
   }
   template <class Evaluate>
   [[nodiscard]] static Field field(const Grid& grid, const RunOptions& run,
                                    Evaluate evaluate) {
-    check_globe(grid);
-    const GlobeTable table(grid);
-    return {grid, walk_rows(table.rows(), table.columns(), run,
-                            [&](std::int64_t i, std::int64_t j, Cursor& cursor) {
-                              return evaluate(table.node(i, j), cursor);
-                            })};
+    return walk_globe_grid(grid, run, evaluate);
   }
 };
 

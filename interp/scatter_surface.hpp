@@ -93,12 +93,12 @@ class ScatterSurface {
   };
 
   [[nodiscard]] Answer answer_at(const Point& p, Cursor& cursor) const {
-    if (triangulation_->num_sites() == 0 || !Domain::is_finite(p)) return {};
+    if (triangulation_->num_sites() == 0 || !is_finite(p)) return {};
     const Spot spot = find_spot(*triangulation_, p, cursor.arc);
     if (spot.kind == Spot::Kind::node) return {Answer::Kind::node, spot.sites[0]};
     const bool is_outside = spot.kind == Spot::Kind::outside;
     if (is_outside && options_.outside == Outside::missing) return {};
-    const auto reach = Domain::reach(*triangulation_, options_);
+    const auto reach = reach_of(*triangulation_, options_);
     const bool takes_nearest = is_outside && options_.outside == Outside::nearest;
     if (takes_nearest || reach.is_limited()) {
       cursor.site = nearest_site(*triangulation_, p, cursor.site);

@@ -6,8 +6,8 @@
 #include "interp/combination.hpp"
 #include "interp/cursor.hpp"
 #include "interp/grid.hpp"
+#include "interp/reach.hpp"
 #include "interp/sphere_facet.hpp"
-#include "interp/sphere_reach.hpp"
 #include "interp/spot.hpp"
 #include "interp/surface_options.hpp"
 

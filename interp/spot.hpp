@@ -50,6 +50,14 @@ struct Spot {
   return c;
 }
 
+/// The arc that leaves the smallest corner of the triangle on the left of `a`, with the
+/// triangle on its left.
+[[nodiscard]] inline Arc from_smallest_corner(const Adjacency& t, Arc a) noexcept {
+  const std::array<Site, 3> c = t.left(a);
+  if (c[0] < c[1] && c[0] < c[2]) return a;
+  return c[1] < c[2] ? t.previous(t.reverse(a)) : t.reverse(t.next(a));
+}
+
 [[nodiscard]] inline Spot edge_spot(Site a, Site b) noexcept {
   return {Spot::Kind::edge, {std::min(a, b), std::max(a, b), none}};
 }

@@ -20,18 +20,19 @@ struct StencilNode {
   bool is_neighbor = false;  ///< joined to it by an edge
 };
 
+/// Nodes of a stencil at most.
+inline constexpr std::size_t most_stencil_nodes = 64;
+
 /// The nodes around a node that a local fit is made from: two rings of neighbours, and
 /// the nearest ones beyond them. Rings alone miss the other points of a cluster; the
 /// nearest alone lie all on one side of a node at the edge of a gap.
 ///
 /// A hub contributes the part of its neighbours that faces the node, and at most
-/// `most_nodes` nearest ones are kept, so the cost of a node is bounded. Deterministic;
-/// one object a thread, for its memory.
+/// `most_stencil_nodes` nearest ones are kept, so the cost of a node is bounded.
+/// Deterministic; one object a thread, for its memory.
 template <BlendSpace Space>
 class StencilGatherer {
  public:
-  static constexpr std::size_t most_nodes = 64;
-
   StencilGatherer(const Space& space, const typename Space::Triangulation& triangulation)
       : space_(space),
         triangulation_(&triangulation),
@@ -54,12 +55,12 @@ class StencilGatherer {
     if (removed != none) static_cast<void>(is_new(removed));
     for (const Site s : joined) add(s, true);
     add_neighbors(center, none, true);
-    keep_nearest(most_nodes);
+    keep_nearest(most_stencil_nodes);
     const std::size_t num_first = nodes_.size();
     for (std::size_t k = 0; k < num_first; ++k)
       add_neighbors(nodes_[k].site, center, false);
     add_third_ring(num_first, num_nearest);
-    keep_nearest(most_nodes);
+    keep_nearest(most_stencil_nodes);
     return nodes_;
   }
 

@@ -16,30 +16,13 @@ namespace {
 
 using support::is_same;
 using support::PlanePoints;
+using support::points_of_the_hull;
 using support::random_values;
 using support::sampled;
 using support::triangulated;
 using tripack::Point2;
 
 RunOptions threads(int count) { return {.num_threads = count, .progress = {}}; }
-
-// Nodes, points of edges as near as doubles come, random points of triangles.
-PlanePoints points_of_the_hull(const tripack::Triangulation& t, std::uint64_t seed) {
-  support::SplitMix64 random(seed);
-  PlanePoints points(t.points().begin(), t.points().end());
-  t.adjacency().for_each_triangle([&](delaunay::Arc arc) {
-    const auto corners = t.adjacency().left(arc);
-    const auto corner = [&](std::size_t k) { return t.points()[at(corners[k % 3])]; };
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point2 a = corner(k), b = corner(k + 1), c = corner(k + 2);
-      points.push_back({a.x / 2 + b.x / 2, a.y / 2 + b.y / 2});
-      const double s = random.uniform(), u = random.uniform() * (1 - s);
-      points.push_back({a.x + s * (b.x - a.x) + u * (c.x - a.x),
-                        a.y + s * (b.y - a.y) + u * (c.y - a.y)});
-    }
-  });
-  return points;
-}
 
 class PlaneC1OnSets : public testing::TestWithParam<support::PlaneFamily> {};
 

@@ -38,6 +38,28 @@ inline interp::Region region_of(const tripack::Triangulation& t) {
           std::min(r.north, most)};
 }
 
+/// Points of the closed hull that codes lose: nodes, edge points as near as doubles come,
+/// random ones.
+inline PlanePoints points_of_the_hull(const tripack::Triangulation& t,
+                                      std::uint64_t seed) {
+  SplitMix64 random(seed);
+  PlanePoints points(t.points().begin(), t.points().end());
+  t.adjacency().for_each_triangle([&](delaunay::Arc arc) {
+    const auto corners = t.adjacency().left(arc);
+    const auto corner = [&](std::size_t k) {
+      return t.points()[static_cast<std::size_t>(corners[k % 3])];
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const tripack::Point2 a = corner(k), b = corner(k + 1);
+      points.push_back({a.x / 2 + b.x / 2, a.y / 2 + b.y / 2});
+      const double s = random.uniform(), u = random.uniform() * (1 - s);
+      points.push_back({a.x + s * (b.x - a.x) + u * (corner(k + 2).x - a.x),
+                        a.y + s * (b.y - a.y) + u * (corner(k + 2).y - a.y)});
+    }
+  });
+  return points;
+}
+
 template <class Points, class F>
 std::vector<double> sampled(const Points& points, F f) {
   std::vector<double> values;
