@@ -10,8 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "delaunay/huge_pages.hpp"
+#include "interp/c1_operator.hpp"
 #include "interp/leave_one_out.hpp"
 #include "interp/linear_surface.hpp"
+#include "interp/natural_operator.hpp"
 #include "interp/operator.hpp"
 #include "measure.hpp"
 #include "random_points.hpp"
@@ -60,6 +63,25 @@ double read_seconds(const interp::Operator& op) {
   });
 }
 
+// All the bytes that applying to one field has to move, without looking values up: reads
+// weights, columns and where rows begin, and writes a result a row into fresh memory.
+double moving_seconds(const interp::Operator& op) {
+  const auto& m = op.matrix();
+  const double* w = m.valuePtr();
+  const int *c = m.innerIndexPtr(), *offsets = m.outerIndexPtr();
+  return median_seconds([&] {
+    std::vector<double> out;
+    out.reserve(static_cast<std::size_t>(m.rows()));
+    delone::delaunay::prefer_huge_pages(
+        out.data(), static_cast<std::size_t>(m.rows()) * sizeof(double));
+    for (Eigen::Index i = 0; i < m.rows(); ++i) {
+      double sum = 0;
+      for (int k = offsets[i]; k < offsets[i + 1]; ++k) sum += w[k] * c[k];
+      out.push_back(sum);
+    }
+  });
+}
+
 void report(const std::string& what, double time, double reading) {
   std::printf("%-52s %9.3f ms %6.2f x reading\n", what.c_str(), 1e3 * time,
               time / reading);
@@ -80,6 +102,7 @@ void measure_applying(const std::string& name, const interp::Operator& op) {
               static_cast<long long>(targets),
               static_cast<long long>(op.matrix().nonZeros()),
               1e-9 * matrix_bytes(op) / reading);
+  report("moving the bytes of one field", moving_seconds(op), reading);
   const std::vector<double> field = random_values(rows), back = random_values(targets);
   report("one field", median_seconds([&] { (void)op.apply(field, {}, one_thread()); }),
          reading);
@@ -116,6 +139,29 @@ void measure_linear() {
   measure_applying("linear", interp::linear_operator(t, nodes));
 }
 
+// Targets of a grid, so that many share their nodes.
+void measure_assembling() {
+  const auto t =
+      std::make_shared<delone::tripack::Triangulation>(bench::plane_points(100'000, 1));
+  const auto nodes = interp::plane_nodes(
+      interp::plane_grid({0, 1, 0, 1}, interp::NodeCounts{1000, 1000}));
+  const auto report_assembly = [&](const char* name, auto assemble) {
+    std::int64_t num_weights = 0;
+    const double time =
+        bench::seconds([&] { num_weights = assemble().matrix().nonZeros(); }).wall;
+    std::printf("%s operator, 1,000,000 targets, %lld weights: assembled in %.3f s\n",
+                name, static_cast<long long>(num_weights), time);
+  };
+  interp::NaturalOptions smooth;
+  smooth.kind = interp::NaturalKind::sibson_c1;
+  report_assembly("natural",
+                  [&] { return interp::natural_operator(t, nodes, {}, one_thread()); });
+  report_assembly("natural-c1", [&] {
+    return interp::natural_operator(t, nodes, smooth, one_thread());
+  });
+  report_assembly("c1", [&] { return interp::c1_operator(t, nodes, {}, one_thread()); });
+}
+
 // Four weights a row, neighbouring cells of a 360 x 180 grid, as regridding has them.
 interp::Operator regridding() {
   constexpr int nx = 360, ny = 180, mx = 1440, my = 720;
@@ -147,6 +193,7 @@ void measure_leaving_out() {
 
 int main() {
   measure_linear();
+  measure_assembling();
   measure_applying("regridding 1 to 1/4 degree", regridding());
   measure_leaving_out();
 }

@@ -9,7 +9,10 @@
 #include "delaunay/parallel.hpp"
 #include "interp/blend_choice.hpp"
 #include "interp/blend_hump.hpp"
+#include "interp/blend_operator_node.hpp"
+#include "interp/blend_variable.hpp"
 #include "interp/east_north.hpp"
+#include "interp/least_curvature.hpp"
 
 namespace delone::interp {
 
@@ -22,22 +25,6 @@ SphereSpace space_of(const SphereCells&) { return {}; }
 
 Point2 scaled_vector(Point2 p) { return p; }
 Vector3 scaled_vector(const Direction& p) { return vector(p); }
-
-// The point as a function of two lengths from it: by x and y in the plane, along the
-// geodesics towards east and north on the sphere.
-PlaneSpace::Position<SecondOrder> variable(const PlaneSpace& space, Point2 p) {
-  const Point2 v = space.vector(p);
-  return {SecondOrder(v.x, space.scale, 0), SecondOrder(v.y, 0, space.scale)};
-}
-
-SphereSpace::Position<SecondOrder> variable(const SphereSpace&, const Direction& d) {
-  const Vector3 p = vector(d), east = east_at(d), north = cross(p, east);
-  const auto along = [](double at, double e, double n) {
-    return SecondOrder(at, e, n, -at, 0, -at);
-  };
-  return {along(p.x, east.x, north.x), along(p.y, east.y, north.y),
-          along(p.z, east.z, north.z)};
-}
 
 // Of a surface that is linear by pieces: no second derivatives, unless all is missing.
 SecondOrder piecewise(double value, double x, double y) {
@@ -62,37 +49,66 @@ void check(const C1Options& options) {
   check(static_cast<const SurfaceOptions&>(options));
   if (options.tension && !(*options.tension >= 0 && *options.tension <= 1))
     throw Error("the tension must lie between 0 and 1");
+  if (options.gradients == Gradients::given) {
+    throw Error(
+        "given gradients are not an option; pass them to the surface with the values");
+  }
 }
 
 template <BlendSpace Space, int Degree>
 BlendCells<Space, Degree>::BlendCells(std::shared_ptr<const Triangulation> triangulation,
                                       std::vector<double> site_values,
-                                      const C1Options& options, const RunOptions& run)
+                                      const C1Options& options, const RunOptions& run,
+                                      std::vector<Vector> site_gradients)
     : linear_(std::move(triangulation), std::move(site_values), options),
       space_(space_of(linear_)) {
   check(options);
+  check_choices(options, this->triangulation().num_sites());
   if (this->triangulation().dimension() < 2) return;
+  if (options.choices) {
+    fit_fixed_models(*options.choices, run);
+    number_edges();
+    fit_edges(std::numeric_limits<double>::infinity(), run);
+    return;
+  }
   const auto [least, most] = std::ranges::minmax_element(linear_.site_values());
   BlendFitOptions fit;
   fit.bounds = options.bounds;
   fit.range = {*least, *most};
-  if (options.tension) {
-    fit.stiffness.tension = *options.tension;
-    fit_.tension = *options.tension;
-  } else {
-    const StiffnessChoice choice = choose_stiffness<Space, Degree>(
-        space_, this->triangulation(), linear_.site_values(), fit, run);
-    fit.stiffness = stiffness_level(choice.level);
-    fit_ = {fit.stiffness.tension, choice.num_tested, choice.rms[choice.level],
-            choice.linear_rms};
+  fit.stiffness = choose(site_gradients, options, fit, run);
+  if (fit_.gradients == Gradients::global) {
+    site_gradients = least_curvature_gradients(space_, this->triangulation(),
+                                               linear_.site_values(), run);
   }
-  fit_models(fit, run);
+  fit_models(site_gradients, fit, run);
   number_edges();
   fit_edges(most_hump(fit), run);
 }
 
+// What options leave open is chosen; fit() tells what is taken.
 template <BlendSpace Space, int Degree>
-void BlendCells<Space, Degree>::fit_models(const BlendFitOptions& options,
+Stiffness BlendCells<Space, Degree>::choose(std::span<const Vector> site_gradients,
+                                            const C1Options& options,
+                                            const BlendFitOptions& fit,
+                                            const RunOptions& run) {
+  Stiffness given = fit.stiffness;
+  given.tension = options.tension.value_or(0);
+  BlendCandidates<Space> candidates{stiffness_levels, options.gradients, site_gradients};
+  if (options.tension) candidates.stiffness = {&given, 1};
+  if (!site_gradients.empty()) candidates.gradients = Gradients::given;
+  BlendChoice choice{given, candidates.gradients};
+  if (!options.tension || candidates.gradients == Gradients::automatic) {
+    choice = choose_blend<Space, Degree>(space_, triangulation(), linear_.site_values(),
+                                         candidates, fit, run);
+  }
+  fit_ = {choice.stiffness.tension, choice.gradients, choice.num_tested, choice.rms,
+          choice.linear_rms};
+  return choice.stiffness;
+}
+
+template <BlendSpace Space, int Degree>
+void BlendCells<Space, Degree>::fit_models(std::span<const Vector> site_gradients,
+                                           const BlendFitOptions& options,
                                            const RunOptions& run) {
   constexpr std::int64_t chunk = 512;
   models_.resize(at(triangulation().num_sites()));
@@ -102,7 +118,28 @@ void BlendCells<Space, Degree>::fit_models(const BlendFitOptions& options,
                               for (auto s = static_cast<Site>(first); s < last; ++s) {
                                 models_[at(s)] = fit_blend_model<Space, Degree>(
                                     space_, triangulation(), linear_.site_values(), s,
-                                    gatherer.around(s, num_nearest(Degree)), options);
+                                    gatherer.around(s, num_nearest(Degree)), options,
+                                    known_gradient<Space>(site_gradients, s));
+                              }
+                            },
+                            {0, 0.8});
+}
+
+template <BlendSpace Space, int Degree>
+void BlendCells<Space, Degree>::fit_fixed_models(const C1Choices& choices,
+                                                 const RunOptions& run) {
+  constexpr std::int64_t chunk = 512;
+  models_.resize(at(triangulation().num_sites()));
+  delaunay::parallel_chunks(triangulation().num_sites(), chunk, run,
+                            [&](std::int64_t first, std::int64_t last) {
+                              StencilGatherer<Space> gatherer(space_, triangulation());
+                              for (auto s = static_cast<Site>(first); s < last; ++s) {
+                                models_[at(s)] =
+                                    blend_node<Space, Degree>(
+                                        space_, triangulation(), s,
+                                        gatherer.around(s, num_nearest(Degree)),
+                                        choices.nodes[at(s)])
+                                        .model(s, linear_.site_values());
                               }
                             },
                             {0, 0.8});

@@ -44,9 +44,11 @@ class BlendCells {
   using Facet = BlendFacet<Space, Degree>;
   using Linear = typename LinearCellsOf<Space>::Type;
 
+  /// `site_gradients`: tangent vectors by scaled length, NaN where none is known; empty:
+  /// none is given.
   BlendCells(std::shared_ptr<const Triangulation> triangulation,
              std::vector<double> site_values, const C1Options& options,
-             const RunOptions& run);
+             const RunOptions& run, std::vector<Vector> site_gradients = {});
 
   [[nodiscard]] const Triangulation& triangulation() const noexcept {
     return linear_.triangulation();
@@ -76,7 +78,12 @@ class BlendCells {
   [[nodiscard]] S continued(const typename Space::template Position<S>& p,
                             const Point& at, Cursor& cursor) const;
   void number_edges();
-  void fit_models(const BlendFitOptions& options, const RunOptions& run);
+  [[nodiscard]] Stiffness choose(std::span<const Vector> site_gradients,
+                                 const C1Options& options, const BlendFitOptions& fit,
+                                 const RunOptions& run);
+  void fit_models(std::span<const Vector> site_gradients, const BlendFitOptions& options,
+                  const RunOptions& run);
+  void fit_fixed_models(const C1Choices& choices, const RunOptions& run);
   void fit_edges(double limit, const RunOptions& run);
   [[nodiscard]] Arc arc_of(const std::array<Site, 3>& corners) const noexcept;
   [[nodiscard]] EdgeHump hump(Arc arc) const noexcept;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "delaunay/parallel.hpp"
 #include "interp/blend_facet.hpp"
 #include "interp/blend_hump.hpp"
+#include "interp/least_curvature.hpp"
 #include "interp/removed_site.hpp"
 
 namespace delone::interp {
@@ -18,7 +20,9 @@ constexpr Site most_tested = 600;
 /// Errors beside those of the linear surface that are put up with.
 constexpr double most_loss = 1.01;
 
-/// Squared errors at one node that was left out.
+double square(double a) { return a * a; }
+
+/// Errors at one node that was left out, by stiffness.
 struct LeftOut {
   bool is_tested = false;
   std::array<double, num_stiffness_levels> errors{};
@@ -31,10 +35,12 @@ class LeaveOneOut {
   using Triangulation = typename Space::Triangulation;
   using Vector = typename Space::Vector;
   LeaveOneOut(const Space& space, const Triangulation& triangulation,
-              std::span<const double> site_values, const BlendFitOptions& options)
+              std::span<const double> site_values,
+              const BlendCandidates<Space>& candidates, const BlendFitOptions& options)
       : space_(space),
         triangulation_(&triangulation),
         site_values_(site_values),
+        candidates_(candidates),
         options_(options) {}
 
   [[nodiscard]] LeftOut operator()(Site left_out) const {
@@ -48,37 +54,51 @@ class LeaveOneOut {
     const Vector p = vector_of(left_out);
     const bool is_on_edge = spot.kind == Spot::Kind::edge;
     const auto models = fits(left_out, std::span(corners).first(is_on_edge ? 2 : 3));
-    for (std::size_t level = 0; level < num_stiffness_levels; ++level) {
-      const BlendFacet<Space, Degree> surface = facet(corners, models[level]);
+    for (std::size_t k = 0; k < candidates_.stiffness.size(); ++k) {
+      const BlendFacet<Space, Degree> surface = facet(corners, models[k]);
       const double found =
           is_on_edge ? surface.beyond_edge(0, Space::position(p)) : surface(p);
-      result.errors[level] = square(found - value);
+      result.errors[k] = std::abs(found - value);
     }
-    result.linear = square(linear(spot, p) - value);
+    result.linear = std::abs(linear(spot, p) - value);
     return result;
   }
 
  private:
   using Models = std::array<BlendModel<Degree>, 3>;
 
-  static double square(double a) { return a * a; }
-
   // The polynomials of the corners, by stiffness. Stencils are the same for all.
   [[nodiscard]] std::array<Models, num_stiffness_levels> fits(
       Site left_out, std::span<const Site> corners) const {
     std::array<Models, num_stiffness_levels> models;
     StencilGatherer<Space> gatherer(space_, *triangulation_);
+    const auto gradients = gradients_without(left_out, corners);
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto stencil =
           gatherer.around_without(left_out, corners, corners[k], num_nearest(Degree));
-      for (std::size_t level = 0; level < num_stiffness_levels; ++level) {
+      for (std::size_t level = 0; level < candidates_.stiffness.size(); ++level) {
         BlendFitOptions options = options_;
-        options.stiffness = stiffness_level(level);
-        models[level][k] = fit_blend_model<Space, Degree>(
-            space_, *triangulation_, site_values_, corners[k], stencil, options);
+        options.stiffness = candidates_.stiffness[level];
+        models[level][k] =
+            fit_blend_model<Space, Degree>(space_, *triangulation_, site_values_,
+                                           corners[k], stencil, options, gradients[k]);
       }
     }
     return models;
+  }
+
+  [[nodiscard]] std::array<std::optional<Vector>, 3> gradients_without(
+      Site left_out, std::span<const Site> corners) const {
+    std::array<std::optional<Vector>, 3> gradients;
+    if (candidates_.gradients == Gradients::given) {
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        gradients[k] = known_gradient<Space>(candidates_.site_gradients, corners[k]);
+    } else if (candidates_.gradients == Gradients::global) {
+      const auto found = least_curvature_gradients_without(left_out, corners, space_,
+                                                           *triangulation_, site_values_);
+      std::copy(found.begin(), found.end(), gradients.begin());
+    }
+    return gradients;
   }
 
   // Of an edge any third corner will do: the surface on the edge does not know it.
@@ -123,61 +143,75 @@ class LeaveOneOut {
   Space space_;
   const Triangulation* triangulation_;
   std::span<const double> site_values_;
+  BlendCandidates<Space> candidates_;
   BlendFitOptions options_;
 };
 
-/// The squared error of the linear surface that one node in fifty exceeds.
-double rarely_exceeded(const std::vector<LeftOut>& tests) {
-  constexpr std::size_t one_in = 50;
-  std::vector<double> errors;
-  for (const LeftOut& test : tests)
-    if (test.is_tested) errors.push_back(test.linear);
-  if (errors.empty()) return 0;
-  const auto last =
-      errors.end() - 1 - static_cast<std::ptrdiff_t>(errors.size() / one_in);
-  std::nth_element(errors.begin(), last, errors.end());
-  return *last;
+/// The errors of all nodes left out, for one kind of gradients.
+struct Prediction {
+  std::size_t level = 0;  ///< the best stiffness
+  double score = 0;       ///< sum of its errors, and of those of the linear surface
+  double linear_score = 0;
+  std::int64_t num_tested = 0;
+  double rms = 0, linear_rms = 0;
+};
+
+// A node left out leaves a hole of twice the spacing, in which smooth surfaces seem to
+// need more stiffness, and to follow the data less, than they do in triangles. So, in
+// small sets, where they predict clearly better than the linear one: what is stiffer or
+// more local must predict better by this factor to be taken.
+double handicap(double error, const Prediction& linear) {
+  constexpr double smooth = 0.4, rough = 0.95, most = 0.2, small_set = 100;
+  if (!(linear.linear_score > 0)) return 1;
+  const double smoothness =
+      std::clamp((rough - error / linear.linear_score) / (rough - smooth), 0.0, 1.0);
+  const double smallness =
+      std::min(1.0, small_set / static_cast<double>(linear.num_tested));
+  return 1 + most * smoothness * smallness;
 }
 
-// The nodes that the linear surface predicts worst do not decide: at the hull and where
-// data are wrong no surface predicts, and one such node outweighs all others. But with
-// all nodes a surface must not be worse than the linear one, as long as any is not.
-StiffnessChoice best_of(const std::vector<LeftOut>& tests) {
-  StiffnessChoice choice;
-  const double limit = rarely_exceeded(tests);
-  std::array<double, num_stiffness_levels> scores{};
+// Compared by mean absolute errors: where data are wrong no surface predicts, and one
+// such node would outweigh all others in a mean square. But with all nodes a surface must
+// not be worse than the linear one in the mean square, as long as any is not.
+Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
+  Prediction result;
+  std::array<double, num_stiffness_levels> squares{}, scores{};
+  double linear_squares = 0;
   for (const LeftOut& test : tests) {
     if (!test.is_tested) continue;
-    ++choice.num_tested;
-    choice.linear_rms += test.linear;
-    for (std::size_t k = 0; k < num_stiffness_levels; ++k) {
-      choice.rms[k] += test.errors[k];
-      if (test.linear <= limit) scores[k] += test.errors[k];
+    ++result.num_tested;
+    linear_squares += square(test.linear);
+    result.linear_score += test.linear;
+    for (std::size_t k = 0; k < num_levels; ++k) {
+      squares[k] += square(test.errors[k]);
+      scores[k] += test.errors[k];
     }
   }
-  const double count = std::max(1.0, static_cast<double>(choice.num_tested));
-  for (double& rms : choice.rms) rms = std::sqrt(rms / count);
-  choice.linear_rms = std::sqrt(choice.linear_rms / count);
-  for (std::size_t k = 0; k < num_stiffness_levels; ++k) {
-    if (choice.rms[k] > most_loss * choice.linear_rms) scores[k] *= 0x1p100;
+  std::array<double, num_stiffness_levels> weighed{};
+  for (std::size_t k = 0; k < num_levels; ++k) {
+    if (squares[k] > square(most_loss) * linear_squares) scores[k] *= 0x1p100;
+    weighed[k] = k > 0 ? scores[k] * handicap(scores[0], result) : scores[k];
   }
-  choice.level = static_cast<std::size_t>(std::min_element(scores.begin(), scores.end()) -
-                                          scores.begin());
-  return choice;
+  const auto last = weighed.begin() + static_cast<std::ptrdiff_t>(num_levels);
+  result.level =
+      static_cast<std::size_t>(std::min_element(weighed.begin(), last) - weighed.begin());
+  const double count = std::max(1.0, static_cast<double>(result.num_tested));
+  result.score = scores[result.level];
+  result.rms = std::sqrt(squares[result.level] / count);
+  result.linear_rms = std::sqrt(linear_squares / count);
+  return result;
 }
 
-}  // namespace
-
 template <BlendSpace Space, int Degree>
-StiffnessChoice choose_stiffness(const Space& space,
-                                 const typename Space::Triangulation& triangulation,
-                                 std::span<const double> site_values,
-                                 const BlendFitOptions& options, const RunOptions& run) {
+Prediction predict(const Space& space, const typename Space::Triangulation& triangulation,
+                   std::span<const double> site_values,
+                   const BlendCandidates<Space>& candidates,
+                   const BlendFitOptions& options, const RunOptions& run) {
   const Site num_sites = triangulation.num_sites(),
              num_tested = std::min(num_sites, most_tested);
   std::vector<LeftOut> tests(at(num_tested));
   const LeaveOneOut<Space, Degree> leave_one_out(space, triangulation, site_values,
-                                                 options);
+                                                 candidates, options);
   constexpr std::int64_t chunk = 16;
   RunOptions quiet = run;
   quiet.progress = {};
@@ -188,28 +222,50 @@ StiffnessChoice choose_stiffness(const Space& space,
           tests[at(k)] = leave_one_out(static_cast<Site>(site));
         }
       });
-  return best_of(tests);
+  return best_of(tests, candidates.stiffness.size());
 }
 
-template StiffnessChoice choose_stiffness<PlaneSpace, 3>(const PlaneSpace&,
-                                                         const tripack::Triangulation&,
-                                                         std::span<const double>,
-                                                         const BlendFitOptions&,
-                                                         const RunOptions&);
-template StiffnessChoice choose_stiffness<PlaneSpace, 4>(const PlaneSpace&,
-                                                         const tripack::Triangulation&,
-                                                         std::span<const double>,
-                                                         const BlendFitOptions&,
-                                                         const RunOptions&);
-template StiffnessChoice choose_stiffness<SphereSpace, 3>(const SphereSpace&,
-                                                          const stripack::Triangulation&,
-                                                          std::span<const double>,
-                                                          const BlendFitOptions&,
-                                                          const RunOptions&);
-template StiffnessChoice choose_stiffness<SphereSpace, 4>(const SphereSpace&,
-                                                          const stripack::Triangulation&,
-                                                          std::span<const double>,
-                                                          const BlendFitOptions&,
-                                                          const RunOptions&);
+}  // namespace
+
+template <BlendSpace Space, int Degree>
+BlendChoice choose_blend(const Space& space,
+                         const typename Space::Triangulation& triangulation,
+                         std::span<const double> site_values,
+                         const BlendCandidates<Space>& candidates,
+                         const BlendFitOptions& options, const RunOptions& run) {
+  constexpr double well_predicted = 0.1;  // of the linear surface's errors
+  const auto prediction = [&](Gradients gradients) {
+    BlendCandidates<Space> of_kind = candidates;
+    of_kind.gradients = gradients;
+    return predict<Space, Degree>(space, triangulation, site_values, of_kind, options,
+                                  run);
+  };
+  const bool is_open = candidates.gradients == Gradients::automatic;
+  Gradients gradients = is_open ? Gradients::local : candidates.gradients;
+  Prediction best = prediction(gradients);
+  if (is_open && best.rms > well_predicted * best.linear_rms) {
+    const Prediction global = prediction(Gradients::global);
+    const double most = handicap(global.score, global);
+    if (global.score < most * best.score && global.rms < most * best.rms) {
+      best = global;
+      gradients = Gradients::global;
+    }
+  }
+  return {candidates.stiffness[best.level], gradients, best.num_tested, best.rms,
+          best.linear_rms};
+}
+
+template BlendChoice choose_blend<PlaneSpace, 3>(
+    const PlaneSpace&, const PlaneSpace::Triangulation&, std::span<const double>,
+    const BlendCandidates<PlaneSpace>&, const BlendFitOptions&, const RunOptions&);
+template BlendChoice choose_blend<PlaneSpace, 4>(
+    const PlaneSpace&, const PlaneSpace::Triangulation&, std::span<const double>,
+    const BlendCandidates<PlaneSpace>&, const BlendFitOptions&, const RunOptions&);
+template BlendChoice choose_blend<SphereSpace, 3>(
+    const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
+    const BlendCandidates<SphereSpace>&, const BlendFitOptions&, const RunOptions&);
+template BlendChoice choose_blend<SphereSpace, 4>(
+    const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
+    const BlendCandidates<SphereSpace>&, const BlendFitOptions&, const RunOptions&);
 
 }  // namespace delone::interp

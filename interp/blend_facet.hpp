@@ -9,7 +9,7 @@
 
 #include "interp/blend_model.hpp"
 #include "interp/blend_space.hpp"
-#include "interp/globe_table.hpp"
+#include "interp/node_batch.hpp"
 #include "interp/pack.hpp"
 #include "interp/plane_facet.hpp"
 #include "interp/sphere_facet.hpp"
@@ -33,6 +33,16 @@ template <class S>
   const S straight =
       slope * (t - S(0.5 * bend)) + (0.5 * slope / bend) * (low * low - high * high);
   return (1 - tension) * (t * t * (S(3.0) - 2.0 * t)) + tension * straight;
+}
+
+/// The same with its derivatives, of full relative precision near t = 0.
+[[nodiscard]] inline SecondOrder edge_step_near_start(const SecondOrder& t,
+                                                      double tension) noexcept {
+  const double bend = 0.5 * (1 - tension), slope = 1 / (1 - bend);
+  if (!(t.value < bend)) return edge_step(t, tension);
+  return t * t *
+         ((1 - tension) * (SecondOrder(3.0) - 2.0 * t) +
+          SecondOrder(tension * (0.5 * slope / bend)));
 }
 
 /// 0 .. 1; beyond the ends constant.
@@ -86,6 +96,14 @@ class SphereBarycentric {
                                                    Vector3 v) noexcept {
   return {a, u, v};
 }
+
+template <BlendSpace Space, int Degree>
+class BlendFacet;
+
+/// BlendFacet::fill_groups_as for the instruction set of the machine.
+template <BlendSpace Space, int Degree>
+[[nodiscard]] std::uint32_t fill_groups(const BlendFacet<Space, Degree>& facet,
+                                        const NodeBatch& batch) noexcept;
 
 /// A blended surface in one triangle.
 ///
@@ -152,23 +170,29 @@ class BlendFacet {
     return S(models_[0].value) + edge_blend<S>(k, p, rises_at<S>(p, softened<S>));
   }
 
-  /// In the plane: at places `columns` of `x`, all at one y, into the same places of
-  /// `row`. The same bits as one by one.
-  void fill_row(double* row, const double* x, IndexRange columns,
-                double y) const noexcept {
-    fill(row, columns, [&](auto load) {
-      return typename Space::template Position<decltype(load(x))>{load(x), y};
-    });
+  /// Evaluates the nodes and empties the batch. The same bits as one by one.
+  //
+  // In groups of as many as there are lanes; where a node needs a case of its own (a rise
+  // near a bound, a corner), its group is done one by one.
+  void fill(NodeBatch& batch) const noexcept {
+    batch.fill_lanes();
+    const std::uint32_t open = is_thin_ ? ~std::uint32_t{0} : fill_groups(*this, batch);
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      if ((open >> (k / NodeBatch::lanes) & 1) == 0) continue;
+      *batch.values[k] =
+          value(position_in<double>(batch, [k](const double* from) { return from[k]; }));
+    }
+    batch.clear();
   }
-  /// On the sphere: at the nodes of row j in the given columns.
-  void fill_row(double* row, const GlobeTable& table, IndexRange columns,
-                std::int64_t j) const noexcept {
-    const double across = table.cos_lat(j), z = table.sin_lat(j);
-    fill(row, columns, [&](auto load) {
-      using S = decltype(load(row));
-      return typename Space::template Position<S>{S(across) * load(table.cos_lon()),
-                                                  S(across) * load(table.sin_lon()), z};
-    });
+  /// The groups of a triangle that is not thin, compiled for an instruction set. Bits of
+  /// the groups that are left open.
+  template <class InstructionSet>
+  [[nodiscard]] std::uint32_t fill_groups_as(const NodeBatch& batch) const noexcept {
+    std::uint32_t open = 0;
+    for (std::size_t i = 0; i < batch.size(); i += NodeBatch::lanes)
+      open |= std::uint32_t{!fill_group<InstructionSet>(batch, i)}
+              << i / NodeBatch::lanes;
+    return open;
   }
 
  private:
@@ -181,40 +205,41 @@ class BlendFacet {
            blend<double>(p, rises, is_thin_ ? thin_weights(p) : weights(p));
   }
 
-  // Four nodes at once; where one of them needs a case of its own (a rise near a bound, a
-  // corner), all four are done one by one.
-  template <class PositionOf>
-  void fill(double* row, IndexRange columns, PositionOf position_of) const noexcept {
-    const auto fill_singly = [&](std::int64_t first, std::int64_t last) {
-      for (std::int64_t i = first; i < last; ++i)
-        row[i] = value(position_of([i](const double* from) { return from[i]; }));
-    };
-    if (is_thin_) return fill_singly(columns.begin, columns.end);
-    std::int64_t i = columns.begin;
-    for (; i + 4 <= columns.end; i += 4) {
-      const auto load = [i](const double* from) {
-        return Pack(delaunay::Double4{from[i], from[i + 1], from[i + 2], from[i + 3]});
-      };
-      const Position<Pack> p = position_of(load);
-      bool is_plain = true;
-      const Rises<Pack> rises =
-          rises_at<Pack>(p, [&](const Pack& rise, double least, double most) {
-            is_plain = is_plain && is_within(rise, free_part * least, free_part * most);
-            return rise;
-          });
-      const Pack sum = blend<Pack>(p, rises, weights(p));
-      is_plain = is_plain && delaunay::bits_of(sum.lanes == sum.lanes) == 0xf;
-      if (!is_plain) {
-        fill_singly(i, i + 4);
-        continue;
-      }
-      const Pack values = Pack(models_[0].value) + sum;
-      for (std::int64_t k = 0; k < 4; ++k) row[i + k] = values.lanes[k];
+  template <class S, class Load>
+  [[nodiscard, gnu::always_inline]] static Position<S> position_in(const NodeBatch& batch,
+                                                                   Load load) noexcept {
+    if constexpr (std::is_same_v<Space, PlaneSpace>) {
+      return {load(batch.x), load(batch.y)};
+    } else {
+      return {load(batch.x), load(batch.y), load(batch.z)};
     }
-    fill_singly(i, columns.end);
   }
 
-  [[nodiscard]] static bool is_within(const Pack& a, double least, double most) noexcept {
+  template <class InstructionSet>
+  [[nodiscard]] bool fill_group(const NodeBatch& batch,
+                                std::size_t begin) const noexcept {
+    using P = Pack<InstructionSet>;
+    const auto p = position_in<P>(batch, [begin](const double* from) {
+      return P(delaunay::Double4{from[begin], from[begin + 1], from[begin + 2],
+                                 from[begin + 3]});
+    });
+    bool is_plain = true;
+    const Rises<P> rises = rises_at<P>(p, [&](const P& rise, double least, double most) {
+      is_plain = is_plain && is_within(rise, free_part * least, free_part * most);
+      return rise;
+    });
+    const P sum = blend<P>(p, rises, weights(p));
+    if (!is_plain || delaunay::bits_of(sum.lanes == sum.lanes) != 0xf) return false;
+    const P values = P(models_[0].value) + sum;
+    for (std::size_t k = 0; k < NodeBatch::lanes && begin + k < batch.size(); ++k)
+      *batch.values[begin + k] = values.lanes[static_cast<int>(k)];
+    return true;
+  }
+
+  template <class InstructionSet>
+  [[nodiscard, gnu::always_inline]] static bool is_within(const Pack<InstructionSet>& a,
+                                                          double least,
+                                                          double most) noexcept {
     return delaunay::bits_of((a.lanes >= delaunay::four(least)) &
                              (a.lanes <= delaunay::four(most))) == 0xf;
   }
@@ -260,6 +285,26 @@ class BlendFacet {
            u * u * (S(h.a) + s * (S(h.b) + h.c * s));
   }
 
+  // The same above the rise of corner c. Derivatives of the edges' weights grow like one
+  // over the distance to a corner; seen from it, what they multiply falls with its square
+  // and keeps its digits.
+  [[nodiscard]] SecondOrder edge_blend_above(
+      std::size_t c, std::size_t k, const Position<SecondOrder>& p,
+      const Rises<SecondOrder>& rises) const noexcept {
+    const std::size_t next = (k + 1) % 3;
+    if (c != k && c != next) return edge_blend(k, p, rises) - rises[c];
+    const SecondOrder t = kept_between_ends(
+                          Space::dot(along_[k], Space::difference(p, points_[k]))),
+                      back = kept_between_ends(
+                          -1.0 *
+                          Space::dot(along_[k], Space::difference(p, points_[next]))),
+                      step = edge_step_near_start(c == k ? t : back, edge_tension_[k]),
+                      s = t - SecondOrder(0.5), u = t * back;
+    const EdgeHump& h = humps_[k];
+    return step * (rises[c == k ? next : k] - rises[c]) +
+           u * u * (SecondOrder(h.a) + s * (SecondOrder(h.b) + h.c * s));
+  }
+
   template <class S>
   [[nodiscard, gnu::always_inline]] S blend(const Position<S>& p, const Rises<S>& rises,
                                             const std::array<S, 3>& b) const noexcept {
@@ -269,13 +314,21 @@ class BlendFacet {
       edge_weights[k] = product * product;
     }
     const S total = edge_weights[0] + edge_weights[1] + edge_weights[2];
-    if constexpr (!std::is_same_v<S, Pack>) {  // of four numbers, 0 / 0 tells
+    if constexpr (!is_pack<S>) {  // of four numbers, 0 / 0 tells
       if (!(value_of(total) > 0)) return at_corner(rises, b);
     }
-    S sum = edge_weights[0] * edge_blend(0, p, rises) +
+    S sum;
+    if constexpr (std::is_same_v<S, SecondOrder>) {
+      const std::size_t c = nearest_corner(b);
+      for (std::size_t k = 0; k < 3; ++k)
+        sum = sum + edge_weights[k] * edge_blend_above(c, k, p, rises);
+      sum = rises[c] + sum / total;
+    } else {
+      sum = edge_weights[0] * edge_blend(0, p, rises) +
             edge_weights[1] * edge_blend(1, p, rises) +
             edge_weights[2] * edge_blend(2, p, rises);
-    sum = sum / total;
+      sum = sum / total;
+    }
     if (tension_ == 0) return sum;
     const S linear = base_[1] * b[1] + base_[2] * b[2];
     const S inner = 27.0 * (b[0] * b[1] * b[2]), squared = inner * inner;
@@ -287,10 +340,15 @@ class BlendFacet {
   template <class S>
   [[nodiscard]] static S at_corner(const Rises<S>& rises,
                                    const std::array<S, 3>& b) noexcept {
+    return rises[nearest_corner(b)];
+  }
+
+  template <class S>
+  [[nodiscard]] static std::size_t nearest_corner(const std::array<S, 3>& b) noexcept {
     std::size_t nearest = 0;
     for (std::size_t k = 1; k < 3; ++k)
       if (value_of(b[k]) > value_of(b[nearest])) nearest = k;
-    return rises[nearest];
+    return nearest;
   }
 
   std::array<Vector, 3> points_;

@@ -5,40 +5,23 @@
 #include <cmath>
 #include <cstdint>
 
+#include "interp/blend_mix.hpp"
 #include "interp/blend_samples.hpp"
 
 namespace delone::interp {
 
 namespace {
 
-constexpr double radius_factor = 1.05;
-constexpr double least_distance = 0.001;  // of the radius, for weights
-constexpr double most_tension = 0.98;
-
-// The degrees below which a mix prefers the higher and above which the lower one, by the
-// part of the neighbours' rises that is not predicted.
-constexpr double smooth = 0.05, rough = 0.15;
-constexpr double trust_in_smooth = 3;
-
-/// Parts of the degrees in the mix, summing to one.
+/// mix_degrees where the slope is known: the constant has no part.
 template <std::size_t Size>
-std::array<double, Size> mix(std::array<double, Size> errors, double doubt) {
-  const double total = errors[0], best = *std::min_element(errors.begin(), errors.end());
-  const double unpredicted = std::sqrt(best / total);
-  const double roughness =
-      std::clamp((unpredicted - smooth) / (rough - smooth), 0.0, 1.0);
-  const double handicap = roughness * (doubt + trust_in_smooth) - trust_in_smooth;
-  for (std::size_t d = 0; d < Size; ++d)
-    errors[d] *= std::exp(handicap * static_cast<double>(d));
-  const double least = *std::min_element(errors.begin(), errors.end());
+std::array<double, Size> mix_above_slope(const std::array<double, Size>& errors,
+                                         double doubt) {
+  std::array<double, Size - 1> above{};
+  std::copy(errors.begin() + 1, errors.end(), above.begin());
   std::array<double, Size> parts{};
-  double sum = 0;
-  for (std::size_t d = 0; d < Size; ++d) {
-    const double ratio = errors[d] > least ? least / errors[d] : 1;
-    parts[d] = ratio * std::sqrt(ratio);
-    sum += parts[d];
-  }
-  for (double& part : parts) part /= sum;
+  if (!(above[0] > 0)) return parts;
+  above = mix_degrees(above, doubt);
+  std::copy(above.begin(), above.end(), parts.begin() + 1);
   return parts;
 }
 
@@ -66,42 +49,53 @@ void set_bounds(BlendModel<Degree>& model, std::span<const double> site_values,
   if (model.least == 0 || model.most == 0) model.coefficients.fill(0);
 }
 
+/// Linear terms of a polynomial that are known beforehand.
+struct Slope {
+  double u = 0, v = 0;
+  bool is_known = false;
+};
+
+template <BlendSpace Space>
+Slope slope_of(const std::optional<typename Space::Vector>& gradient,
+               const typename Space::Axes& axes, double radius) {
+  if (!gradient) return {};
+  const LocalPosition<double> g = Space::local(axes, Space::position(*gradient), radius);
+  return {g.u, g.v, true};
+}
+
+// Where the slope is known the fit is to what remains, without linear terms.
 template <BlendSpace Space, int Degree>
 BlendSamples<Degree> samples_of(const Space& space,
-                                const typename Space::Triangulation& triangulation,
+                                std::span<const typename Space::Point> points,
                                 std::span<const double> site_values, Site site,
-                                std::span<const StencilNode> stencil, double radius) {
-  const auto center = space.vector(triangulation.points()[at(site)]);
-  const auto axes = Space::axes(center);
+                                std::span<const StencilNode> stencil, double radius,
+                                const typename Space::Axes& axes, const Slope& slope) {
+  const auto center = space.vector(points[at(site)]);
   BlendSamples<Degree> samples;
   for (const StencilNode& n : stencil) {
-    const auto d =
-        Space::difference(space.vector(triangulation.points()[at(n.site)]), center);
+    const auto d = Space::difference(space.vector(points[at(n.site)]), center);
     const double distance =
         std::max(std::sqrt(n.squared_distance) / radius, least_distance);
     const double ratio = (1 - distance) / distance;
-    samples.add(model_terms<Degree>(Space::local(axes, Space::position(d), 1 / radius)),
-                site_values[at(n.site)] - site_values[at(site)], ratio * ratio,
-                n.is_neighbor);
+    auto terms = model_terms<Degree>(Space::local(axes, Space::position(d), 1 / radius));
+    double rise = site_values[at(n.site)] - site_values[at(site)];
+    if (slope.is_known) {
+      rise -= slope.u * terms[0] + slope.v * terms[1];
+      terms[0] = terms[1] = 0;
+    }
+    samples.add(terms, rise, ratio * ratio, n.is_neighbor);
   }
   return samples;
 }
 
 }  // namespace
 
-Stiffness stiffness_level(std::size_t level) noexcept {
-  constexpr std::array<Stiffness, num_stiffness_levels> levels{
-      Stiffness{0.1, 0}, Stiffness{-0.3, 0.4}, Stiffness{0.1, 0.6}, Stiffness{0.3, 0.8},
-      Stiffness{0.8, 0.97}};
-  return levels[std::min(level, num_stiffness_levels - 1)];
-}
-
 template <BlendSpace Space, int Degree>
-BlendModel<Degree> fit_blend_model(const Space& space,
-                                   const typename Space::Triangulation& triangulation,
-                                   std::span<const double> site_values, Site site,
-                                   std::span<const StencilNode> stencil,
-                                   const BlendFitOptions& options) {
+BlendModel<Degree> fit_blend_model(
+    const Space& space, std::span<const typename Space::Point> points,
+    std::span<const double> site_values, Site site, std::span<const StencilNode> stencil,
+    const BlendFitOptions& options,
+    const std::optional<typename Space::Vector>& gradient) {
   BlendModel<Degree> model;
   model.value = site_values[at(site)];
   double squared_radius = 0;
@@ -113,19 +107,27 @@ BlendModel<Degree> fit_blend_model(const Space& space,
     model.per_radius = 0;
     return model;
   }
-  BlendSamples<Degree> samples =
-      samples_of<Space, Degree>(space, triangulation, site_values, site, stencil, radius);
+  const auto axes = Space::axes(space.vector(points[at(site)]));
+  const Slope slope = slope_of<Space>(gradient, axes, radius);
+  BlendSamples<Degree> samples = samples_of<Space, Degree>(
+      space, points, site_values, site, stencil, radius, axes, slope);
   samples.factor();
   std::array<double, Degree + 1> errors = samples.errors();
-  if (!(errors[0] > 0)) return model;
+  if (!(errors[0] > 0) && !slope.is_known) return model;
   // Two neighbours: their plane, which nothing can contradict.
   if (samples.size() == 2) errors[1] = 0;
-  const std::array<double, Degree + 1> parts = mix(errors, options.stiffness.doubt);
+  const std::array<double, Degree + 1> parts =
+      slope.is_known ? mix_above_slope(errors, options.stiffness.doubt)
+                     : mix_degrees(errors, options.stiffness.doubt);
   for (int degree = 1; degree <= Degree; ++degree) {
     const double part = parts[static_cast<std::size_t>(degree)];
     if (part < 1e-6) continue;
     const auto x = samples.solve(BlendSamples<Degree>::end_term(degree));
     for (std::size_t c = 0; c < x.size(); ++c) model.coefficients[c] += part * x[c];
+  }
+  if (slope.is_known) {
+    model.coefficients[0] = slope.u;
+    model.coefficients[1] = slope.v;
   }
   const double tension = options.stiffness.tension;
   model.tension = std::min(most_tension, tension + (1 - tension) * std::sqrt(parts[0]));
@@ -133,25 +135,45 @@ BlendModel<Degree> fit_blend_model(const Space& space,
   return model;
 }
 
-template BlendModel<3> fit_blend_model<PlaneSpace, 3>(const PlaneSpace&,
-                                                      const tripack::Triangulation&,
-                                                      std::span<const double>, Site,
-                                                      std::span<const StencilNode>,
-                                                      const BlendFitOptions&);
-template BlendModel<4> fit_blend_model<PlaneSpace, 4>(const PlaneSpace&,
-                                                      const tripack::Triangulation&,
-                                                      std::span<const double>, Site,
-                                                      std::span<const StencilNode>,
-                                                      const BlendFitOptions&);
-template BlendModel<3> fit_blend_model<SphereSpace, 3>(const SphereSpace&,
-                                                       const stripack::Triangulation&,
-                                                       std::span<const double>, Site,
-                                                       std::span<const StencilNode>,
-                                                       const BlendFitOptions&);
-template BlendModel<4> fit_blend_model<SphereSpace, 4>(const SphereSpace&,
-                                                       const stripack::Triangulation&,
-                                                       std::span<const double>, Site,
-                                                       std::span<const StencilNode>,
-                                                       const BlendFitOptions&);
+template <BlendSpace Space, int Degree>
+BlendModel<Degree> fit_blend_model(
+    const Space& space, const typename Space::Triangulation& triangulation,
+    std::span<const double> site_values, Site site, std::span<const StencilNode> stencil,
+    const BlendFitOptions& options,
+    const std::optional<typename Space::Vector>& gradient) {
+  return fit_blend_model<Space, Degree>(space, triangulation.points(), site_values, site,
+                                        stencil, options, gradient);
+}
+
+template BlendModel<3> fit_blend_model<PlaneSpace, 3>(
+    const PlaneSpace&, const PlaneSpace::Triangulation&, std::span<const double>, Site,
+    std::span<const StencilNode>, const BlendFitOptions&,
+    const std::optional<tripack::Point2>&);
+template BlendModel<4> fit_blend_model<PlaneSpace, 4>(
+    const PlaneSpace&, const PlaneSpace::Triangulation&, std::span<const double>, Site,
+    std::span<const StencilNode>, const BlendFitOptions&,
+    const std::optional<tripack::Point2>&);
+template BlendModel<3> fit_blend_model<SphereSpace, 3>(
+    const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>, Site,
+    std::span<const StencilNode>, const BlendFitOptions&, const std::optional<Vector3>&);
+template BlendModel<4> fit_blend_model<SphereSpace, 4>(
+    const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>, Site,
+    std::span<const StencilNode>, const BlendFitOptions&, const std::optional<Vector3>&);
+template BlendModel<3> fit_blend_model<PlaneSpace, 3>(
+    const PlaneSpace&, std::span<const tripack::Point2>, std::span<const double>, Site,
+    std::span<const StencilNode>, const BlendFitOptions&,
+    const std::optional<tripack::Point2>&);
+template BlendModel<4> fit_blend_model<PlaneSpace, 4>(
+    const PlaneSpace&, std::span<const tripack::Point2>, std::span<const double>, Site,
+    std::span<const StencilNode>, const BlendFitOptions&,
+    const std::optional<tripack::Point2>&);
+template BlendModel<3> fit_blend_model<SphereSpace, 3>(
+    const SphereSpace&, std::span<const stripack::Direction>, std::span<const double>,
+    Site, std::span<const StencilNode>, const BlendFitOptions&,
+    const std::optional<Vector3>&);
+template BlendModel<4> fit_blend_model<SphereSpace, 4>(
+    const SphereSpace&, std::span<const stripack::Direction>, std::span<const double>,
+    Site, std::span<const StencilNode>, const BlendFitOptions&,
+    const std::optional<Vector3>&);
 
 }  // namespace delone::interp

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "interp/blend_model.hpp"
@@ -19,7 +22,9 @@ struct Stiffness {
   double tension = 0;  ///< of every node; what the data ask for comes on top
 };
 inline constexpr std::size_t num_stiffness_levels = 5;
-[[nodiscard]] Stiffness stiffness_level(std::size_t level) noexcept;
+inline constexpr std::array<Stiffness, num_stiffness_levels> stiffness_levels{
+    Stiffness{0.1, 0}, Stiffness{-0.3, 0.4}, Stiffness{0.1, 0.6}, Stiffness{0.3, 0.8},
+    Stiffness{0.8, 0.97}};
 
 /// Bounds for all values of a surface.
 struct ValueRange {
@@ -51,11 +56,34 @@ struct BlendFitOptions {
 /// and the node gets tension. A ridge of 1e-10 with one step of refinement leaves
 /// coefficients that the positions do not determine at zero and others exact.
 /// Cost: some 2,000 multiplications for degree 3.
+///
+/// A `gradient` that is given (a tangent vector, by scaled length) is the polynomial's at
+/// the node; the degrees above it are fitted to what remains, and nothing prevails over
+/// it.
 template <BlendSpace Space, int Degree>
 [[nodiscard]] BlendModel<Degree> fit_blend_model(
     const Space& space, const typename Space::Triangulation& triangulation,
     std::span<const double> site_values, Site site, std::span<const StencilNode> stencil,
-    const BlendFitOptions& options);
+    const BlendFitOptions& options,
+    const std::optional<typename Space::Vector>& gradient = {});
+
+/// The same of nodes that are counted in any way: `points` and `values` of all of them.
+template <BlendSpace Space, int Degree>
+[[nodiscard]] BlendModel<Degree> fit_blend_model(
+    const Space& space, std::span<const typename Space::Point> points,
+    std::span<const double> values, Site node, std::span<const StencilNode> stencil,
+    const BlendFitOptions& options,
+    const std::optional<typename Space::Vector>& gradient = {});
+
+/// The gradient at a site if there is one: not NaN.
+template <BlendSpace Space>
+[[nodiscard]] std::optional<typename Space::Vector> known_gradient(
+    std::span<const typename Space::Vector> site_gradients, Site site) {
+  if (site_gradients.empty()) return {};
+  const typename Space::Vector& g = site_gradients[at(site)];
+  if (!std::isfinite(Space::dot(g, g))) return {};
+  return g;
+}
 
 /// Nearest nodes that a stencil of a degree should hold.
 [[nodiscard]] constexpr std::size_t num_nearest(int degree) noexcept {

@@ -10,10 +10,19 @@
 
 namespace delone::interp {
 
+// What fits of all kinds share: the radius of a stencil beside its farthest node, the
+// least distance (of the radius) in weights, and the most tension of a node.
+inline constexpr double radius_factor = 1.05, least_distance = 0.001, most_tension = 0.98;
+
 /// First of the terms that a degree adds.
 [[nodiscard]] constexpr std::size_t first_blend_term(int degree) noexcept {
   return degree == 0 ? 0 : num_blend_terms(degree - 1);
 }
+
+/// By terms and samples: how much a coefficient takes from the rise of a sample.
+template <int Degree>
+using BlendInfluence =
+    std::array<std::array<double, most_stencil_nodes>, num_blend_terms(Degree)>;
 
 /// The weighted samples of a stencil, by columns, and their normal equations. A ridge of
 /// 1e-10 with one step of refinement leaves coefficients that the positions do not
@@ -97,6 +106,37 @@ class BlendSamples {
     return sums;
   }
 
+  /// What solve(num) takes from the rise of every sample, by terms and samples.
+  [[nodiscard]] BlendInfluence<Degree> influence(std::size_t num) const {
+    BlendInfluence<Degree> x;
+    for (std::size_t c = 0; c < num; ++c) x[c] = columns_[c];
+    solve_rows(x, num);
+    BlendInfluence<Degree> more{};
+    for (std::size_t r = 0; r < size_; ++r) {
+      Row residual{};
+      residual[r] = 1;
+      for (std::size_t c = 0; c < num; ++c) subtract(residual, columns_[c][r], x[c]);
+      for (std::size_t c = 0; c < num; ++c) subtract(more[c], -columns_[c][r], residual);
+    }
+    solve_rows(more, num);
+    for (std::size_t c = 0; c < num; ++c) {
+      for (std::size_t r = 0; r < size_; ++r)
+        x[c][r] = (x[c][r] + more[c][r]) * weights_[r];
+    }
+    return x;
+  }
+
+  /// Of the terms that a degree adds the least part, 0 .. 1, of its square that the terms
+  /// before it do not span on these samples.
+  [[nodiscard]] double independence(int degree) const {
+    double least = 1;
+    for (std::size_t c = first_blend_term(degree); c < end_term(degree); ++c) {
+      const double pivot = 1 / (inverse_[c] * inverse_[c]);
+      least = std::min(least, inverse_[c] > 0 ? pivot / lower_[c][c] : 0);
+    }
+    return least;
+  }
+
   [[nodiscard]] static std::size_t end_term(int degree) {
     return degree == 0 ? 0 : num_blend_terms(degree);
   }
@@ -130,6 +170,24 @@ class BlendSamples {
       x[i] = sum * inverse_[i];
     }
     return x;
+  }
+
+  void subtract(Row& from, double factor, const Row& row) const {
+    for (std::size_t r = 0; r < size_; ++r) from[r] -= factor * row[r];
+  }
+  // Both halves of the solution for many right sides at once.
+  void solve_rows(BlendInfluence<Degree>& b, std::size_t num) const {
+    const auto scale = [&](std::size_t i) {
+      for (std::size_t r = 0; r < size_; ++r) b[i][r] *= inverse_[i];
+    };
+    for (std::size_t i = 0; i < num; ++i) {
+      for (std::size_t k = 0; k < i; ++k) subtract(b[i], lower_[i][k], b[k]);
+      scale(i);
+    }
+    for (std::size_t i = num; i-- > 0;) {
+      for (std::size_t k = i + 1; k < num; ++k) subtract(b[i], lower_[k][i], b[k]);
+      scale(i);
+    }
   }
 
   // A sample that alone determines a coefficient tells nothing when left out: its whole

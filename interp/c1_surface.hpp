@@ -46,8 +46,10 @@ struct DerivativesSphere {
 /// Made for real data. A polynomial's degree is chosen, node by node, by how well
 /// neighbours are predicted that it is not shown; where nothing is predicted (tracks,
 /// clusters, noise) it falls back towards the node's value, and the surface towards the
-/// linear interpolant by a tension inside triangles. The tension of the whole surface is
-/// chosen by leaving out nodes one by one (`fit()` tells which).
+/// linear interpolant by a tension inside triangles. Where fits of single nodes do not
+/// see what the data as a whole tell (few nodes for much detail), the gradients of least
+/// curvature of all nodes together take their place. Which of both, and the tension of
+/// the whole surface, is chosen by leaving out nodes one by one (`fit()` tells).
 ///
 /// As PlaneLinear at nodes (bit for bit), for constants, collinear points, repeats,
 /// missing queries and threads: a value depends on the point and the data only. Not
@@ -63,6 +65,13 @@ class PlaneC1 {
   PlaneC1(std::shared_ptr<const tripack::Triangulation> triangulation,
           std::span<const double> row_values, const C1Options& options = {},
           const RunOptions& run = {});
+  /// With gradients, one a row, that the surface has at the nodes; NaN: not known, there
+  /// the polynomial is fitted to the values alone. Rows that share a position: their
+  /// mean. The bounds hold all the same. Throws Error, besides, for another number of
+  /// gradients than of points and for infinite ones (naming the row).
+  PlaneC1(std::shared_ptr<const tripack::Triangulation> triangulation,
+          std::span<const double> row_values, std::span<const Gradient2> row_gradients,
+          const C1Options& options = {}, const RunOptions& run = {});
 
   [[nodiscard]] const C1Fit& fit() const noexcept;
   /// NaN: missing.
@@ -77,6 +86,9 @@ class PlaneC1 {
   [[nodiscard]] std::vector<Derivatives2> derivatives(
       std::span<const tripack::Point2> points, const RunOptions& run = {}) const;
   [[nodiscard]] Field grid(const Grid& grid, const RunOptions& run = {}) const;
+  /// Over the hull, as value times area; 0 without triangles. Knows no max_distance.
+  /// By a rule of 36 places a triangle that is exact for polynomials of degree 10.
+  [[nodiscard]] double integral(const RunOptions& run = {}) const;
 
  private:
   std::shared_ptr<const PlaneBlend> blend_;
@@ -90,6 +102,11 @@ class SphereC1 {
   SphereC1(std::shared_ptr<const stripack::Triangulation> triangulation,
            std::span<const double> row_values, const C1Options& options = {},
            const RunOptions& run = {});
+  /// With gradients, one a row, by radians.
+  SphereC1(std::shared_ptr<const stripack::Triangulation> triangulation,
+           std::span<const double> row_values,
+           std::span<const GradientSphere> row_gradients, const C1Options& options = {},
+           const RunOptions& run = {});
 
   [[nodiscard]] const C1Fit& fit() const noexcept;
   [[nodiscard]] double value(const stripack::Direction& p) const;
@@ -102,6 +119,9 @@ class SphereC1 {
   [[nodiscard]] std::vector<DerivativesSphere> derivatives(
       std::span<const stripack::Direction> points, const RunOptions& run = {}) const;
   [[nodiscard]] Field grid(const Grid& lonlat_grid, const RunOptions& run = {}) const;
+  /// Over the triangulated region, as value times steradians; 0 without triangles. Knows
+  /// no max_distance.
+  [[nodiscard]] double integral(const RunOptions& run = {}) const;
 
  private:
   std::shared_ptr<const SphereBlend> blend_;

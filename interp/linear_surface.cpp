@@ -5,6 +5,7 @@
 #include "interp/east_north.hpp"
 #include "interp/plane_cells.hpp"
 #include "interp/sphere_cells.hpp"
+#include "interp/triangle_integral.hpp"
 
 namespace delone::interp {
 
@@ -57,6 +58,10 @@ Field PlaneLinear::grid(const Grid& grid, const RunOptions& run) const {
   return {grid, scan(*cells_, grid, run)};
 }
 
+double PlaneLinear::integral(const RunOptions& run) const {
+  return integral_over_triangles(PlaneSpace{cells_->scale()}, *cells_, run);
+}
+
 SphereLinear::SphereLinear(std::shared_ptr<const stripack::Triangulation> triangulation,
                            std::span<const double> row_values,
                            const SurfaceOptions& options) {
@@ -93,6 +98,10 @@ std::vector<GradientSphere> SphereLinear::gradients(
 
 Field SphereLinear::grid(const Grid& lonlat_grid, const RunOptions& run) const {
   return {lonlat_grid, scan(*cells_, lonlat_grid, run)};
+}
+
+double SphereLinear::integral(const RunOptions& run) const {
+  return integral_over_triangles(SphereSpace{}, *cells_, run);
 }
 
 }  // namespace delone::interp

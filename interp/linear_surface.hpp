@@ -72,6 +72,9 @@ class PlaneLinear {
   /// Triangle by triangle along rows, without searching. Throws Error as check(Grid)
   /// does.
   [[nodiscard]] Field grid(const Grid& grid, const RunOptions& run = {}) const;
+  /// Over the hull, as value times area; 0 without triangles. Knows no max_distance.
+  /// By a rule of 36 places a triangle that is exact for polynomials of degree 10.
+  [[nodiscard]] double integral(const RunOptions& run = {}) const;
 
  private:
   std::shared_ptr<const PlaneCells> cells_;
@@ -98,6 +101,9 @@ class SphereLinear {
   /// x is longitude in any wrap, y latitude, degrees. A row at a pole has one value.
   /// Throws Error as check(Grid) does and for latitudes outside -90..90.
   [[nodiscard]] Field grid(const Grid& lonlat_grid, const RunOptions& run = {}) const;
+  /// Over the triangulated region, as value times steradians; 0 without triangles. Knows
+  /// no max_distance.
+  [[nodiscard]] double integral(const RunOptions& run = {}) const;
 
  private:
   std::shared_ptr<const SphereCells> cells_;

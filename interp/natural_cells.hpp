@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "interp/natural_view.hpp"
+#include "interp/operator_terms.hpp"
 #include "interp/plane_cells.hpp"
 #include "interp/reach.hpp"
 #include "interp/sphere_cells.hpp"
@@ -110,6 +111,30 @@ class NaturalCells {
     return result;
   }
 
+  /// Appends what the value takes from the sites, of sibson_c1 too, with gradients of
+  /// which `slope_weights(s)` tells what they take from the rises to the neighbours of s.
+  template <class SlopeWeights>
+  void add_terms(const Point& p, Cursor& cursor, SlopeWeights slope_weights,
+                 NodalTerms& row) const {
+    const std::optional<Arc> start = enclosing(p, cursor);
+    if (!start) {
+      if (!is_usable(p)) return;
+      const Combination linear = linear_.combination(p, cursor);
+      if (!is_cubic() || linear.sites().size() != 2)
+        return add_mean(linear.sites(), linear.weights(), row);
+      const View view(*triangulation_, scale_, p);
+      return add_cubic(view, ends(view, linear), end_weights(view, linear),
+                       linear.weights(), slope_weights, row);
+    }
+    if (!is_reached(p, *start)) return;
+    const View view(*triangulation_, scale_, p);
+    const auto cavity = find_cavity(triangulation_->adjacency(), view, *start);
+    const PerCorner<double> weights = view.weights(kind_, cavity);
+    const std::span<const double> all{weights.data(), weights.size()};
+    if (!is_cubic()) return add_mean({cavity.sites.data(), all.size()}, all, row);
+    add_cubic(view, cavity, weights, all, slope_weights, row);
+  }
+
   [[nodiscard]] Gradient gradient(const Point& p, Cursor& cursor) const {
     const std::optional<Arc> start = enclosing(p, cursor);
     if (!start) return linear_gradient(p, cursor);
@@ -130,7 +155,9 @@ class NaturalCells {
   [[nodiscard]] bool is_usable(const Point& p) const noexcept {
     return is_finite(p) && triangulation_->num_sites() > 0;
   }
-  [[nodiscard]] bool is_cubic() const noexcept { return !slopes_.empty(); }
+  [[nodiscard]] bool is_cubic() const noexcept {
+    return kind_ == NaturalKind::sibson_c1 && triangulation_->dimension() == 2;
+  }
 
   // The triangle that holds a point strictly inside the hull that is not a node; nothing
   // for other points. On the sphere also one with the point on its boundary edge, for
@@ -168,6 +195,38 @@ class NaturalCells {
 
   [[nodiscard]] bool is_reached(const Point& p, Arc start) const {
     return reach_.covers(p, start.origin);
+  }
+
+  static void add_mean(std::span<const Site> sites, std::span<const double> weights,
+                       NodalTerms& row) {
+    for (std::size_t k = 0; k < sites.size(); ++k) row.add(sites[k], weights[k]);
+  }
+
+  // The mean with the weights of `otherwise` where cubic_value takes one.
+  template <class SlopeWeights>
+  void add_cubic(const View& view, const Cavity<typename View::Vertex>& cavity,
+                 const PerCorner<double>& weights, std::span<const double> otherwise,
+                 SlopeWeights slope_weights, NodalTerms& row) const {
+    PerCorner<BezierCorner<double>> corners;
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      corners.push_back(view.bezier_corner(cavity.vertices[k], weights[k], 0, Slope{}));
+    const PerCorner<FarinShare> shares = farin_shares({corners.data(), corners.size()});
+    for (const FarinShare& share : shares) {
+      if (!std::isfinite(share.value) || !std::isfinite(share.gradient.x) ||
+          !std::isfinite(share.gradient.y))
+        return add_mean({cavity.sites.data(), weights.size()}, otherwise, row);
+    }
+    row.add(cavity.sites[0], 1);
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      const Site s = cavity.sites[k];
+      if (k > 0) row.add_rise(cavity.sites[0], s, shares[k].value);
+      const std::span<const Slope> slopes = slope_weights(s);
+      const std::span<const Site> ring = triangulation_->adjacency().neighbors(s);
+      for (std::size_t j = 0; j < ring.size(); ++j) {
+        const auto corner = view.bezier_corner(cavity.vertices[k], 0, 0, slopes[j]);
+        row.add_rise(s, ring[j], dot(shares[k].gradient, corner.gradient));
+      }
+    }
   }
 
   [[nodiscard]] double mean(const Sites& sites,

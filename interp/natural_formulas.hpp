@@ -183,4 +183,31 @@ template <class T>
   return cubes + T{3} * beside + T{1.5} * (pairs - beside - curved) - T{0.5} * triples;
 }
 
+/// What farin_value takes from a corner: of its value, and of its gradient the product
+/// with this.
+struct FarinShare {
+  double value = 0;
+  Pair<double> gradient;
+};
+
+/// The derivatives of farin_value by values and gradients, which are not read.
+[[nodiscard]] inline PerCorner<FarinShare> farin_shares(
+    std::span<const BezierCorner<double>> corners) {
+  double squares = 0;
+  Pair<double> center{};
+  for (const BezierCorner<double>& c : corners) {
+    squares += c.weight * c.weight;
+    center = center + (c.weight * c.weight) * c.offset;
+  }
+  PerCorner<FarinShare> shares;
+  for (const BezierCorner<double>& c : corners) {
+    const double u = c.weight, uu = u * u, rest = 1 - u;
+    const double value = uu * u + 1.5 * u * (1 + u) * rest - 1.5 * u * (squares - uu) -
+                         0.5 * u * (rest * rest - squares + uu);
+    shares.push_back(
+        {value, (0.5 * u * (squares - u - 1)) * c.offset - (0.5 * u) * center});
+  }
+  return shares;
+}
+
 }  // namespace delone::interp

@@ -11,7 +11,7 @@ namespace delone::interp {
 
 namespace {
 
-constexpr std::int32_t largest_hole = 64;
+constexpr std::size_t largest_hole = 64;
 
 /// The triangulation of the hole that a removed site leaves: the Delaunay triangulation
 /// of its neighbours as far as it lies in there.
@@ -86,6 +86,9 @@ struct Neighbor {
   double rise, weight;
 };
 
+// Of the determinant of a fit, beside its squared trace: neighbours on one line.
+constexpr double singular = 1e-12;
+
 // The gradient that fits the rises best.
 Pair<double> fitted(std::span<const Neighbor> neighbors) {
   double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
@@ -94,7 +97,6 @@ Pair<double> fitted(std::span<const Neighbor> neighbors) {
     xz += weight * d.x * rise, yz += weight * d.y * rise;
   }
   const double det = xx * yy - xy * xy, trace = xx + yy;
-  constexpr double singular = 1e-12;
   if (det > singular * trace * trace)
     return {(xz * yy - yz * xy) / det, (yz * xx - xz * xy) / det};
   const Pair<double> along = xx >= yy ? Pair<double>{xx, xy} : Pair<double>{xy, yy};
@@ -102,8 +104,13 @@ Pair<double> fitted(std::span<const Neighbor> neighbors) {
   return square > 0 ? ((along.x * xz + along.y * yz) / square) * along : Pair<double>{};
 }
 
+// Gradients are no steeper than this times the steepest way to a neighbour, and do not
+// rise, over the distance of the farthest one, by more than this times the largest rise.
+constexpr double steeper = 4, higher = 16;
+// So much more where the bounds are for the worst of all values, which hardly occur.
+constexpr double for_all = 4;
+
 Pair<double> limited(Pair<double> gradient, std::span<const Neighbor> neighbors) {
-  constexpr double steeper = 4, higher = 16;
   double steepest = 0, farthest = 0, highest = 0;
   for (const auto& [d, rise, weight] : neighbors) {
     const double distance = std::hypot(d.x, d.y);
@@ -117,36 +124,100 @@ Pair<double> limited(Pair<double> gradient, std::span<const Neighbor> neighbors)
   return size > most ? (most / size) * gradient : gradient;
 }
 
+using SlopeWeights = SmallVector<Pair<double>, CavityShape::usual>;
+
+// What `fitted` takes from each of the rises.
+SlopeWeights fitting_weights(std::span<const Neighbor> neighbors) {
+  double xx = 0, xy = 0, yy = 0;
+  for (const auto& [d, rise, weight] : neighbors)
+    xx += weight * d.x * d.x, xy += weight * d.x * d.y, yy += weight * d.y * d.y;
+  const double det = xx * yy - xy * xy, trace = xx + yy;
+  const Pair<double> along = xx >= yy ? Pair<double>{xx, xy} : Pair<double>{xy, yy};
+  const double square = dot(along, along) * trace;
+  SlopeWeights result;
+  for (const auto& [d, rise, weight] : neighbors) {
+    if (det > singular * trace * trace) {
+      result.push_back(
+          {weight * (d.x * yy - d.y * xy) / det, weight * (d.y * xx - d.x * xy) / det});
+    } else {
+      result.push_back(square > 0 ? (weight * dot(along, d) / square) * along
+                                  : Pair<double>{});
+    }
+  }
+  return result;
+}
+
+// The weights shortened so that no rises break the limits.
+SlopeWeights limited(SlopeWeights weights, std::span<const Neighbor> neighbors) {
+  double steepest = 0, highest = 0, farthest = 0;
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const double distance = std::hypot(neighbors[k].offset.x, neighbors[k].offset.y),
+                 size = std::hypot(weights[k].x, weights[k].y);
+    steepest += size * distance;
+    highest += size;
+    farthest = std::max(farthest, distance);
+  }
+  const double excess =
+      std::max(steepest / (steeper * for_all), highest * farthest / (higher * for_all));
+  if (!std::isfinite(excess)) return SlopeWeights(weights.size(), Pair<double>{});
+  const double part = excess > 1 ? 1 / excess : 1;
+  for (Pair<double>& weight : weights) weight = part * weight;
+  return weights;
+}
+
 template <class View, class Triangulation>
 class Fit {
  public:
   Fit(const Triangulation& t, double scale, std::span<const double> values)
       : t_(t), scale_(scale), values_(values) {}
 
-  [[nodiscard]] typename View::Slope operator()(Site s) const {
-    const View view(t_, scale_, t_.points()[at(s)]);
-    const std::span<const Site> ring = t_.adjacency().neighbors(s);
-    Cavity<typename View::Vertex> around;
-    for (const Site w : ring) around.add(w, view.vertex(w));
-    const PerCorner<double> areas = shares(view, s, around);
-    SmallVector<Neighbor, CavityShape::usual> neighbors;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Pair<double> d = View::flat(around.vertices[k]);
-      neighbors.push_back(
-          {d, values_[at(ring[k])] - values_[at(s)], areas[k] / dot(d, d)});
-    }
+  [[nodiscard]] typename View::Slope operator()(const SiteStar& star,
+                                                SlopeLimit limit) const {
+    const View view(t_, scale_, t_.points()[at(star.site)]);
+    const Neighbors neighbors = around(view, star);
     const std::span<const Neighbor> all{neighbors.data(), neighbors.size()};
-    return view.slope(limited(fitted(all), all));
+    if (limit == SlopeLimit::values) return view.slope(limited(fitted(all), all));
+    const SlopeWeights weights = limited(fitting_weights(all), all);
+    Pair<double> slope;
+    for (std::size_t k = 0; k < all.size(); ++k) slope = slope + all[k].rise * weights[k];
+    return view.slope(slope);
+  }
+
+  /// See natural_slope_weights.
+  [[nodiscard]] std::vector<typename View::Slope> weights(const SiteStar& star) const {
+    const View view(t_, scale_, t_.points()[at(star.site)]);
+    const Neighbors neighbors = around(view, star);
+    const std::span<const Neighbor> all{neighbors.data(), neighbors.size()};
+    std::vector<typename View::Slope> result;
+    for (const Pair<double>& weight : limited(fitting_weights(all), all))
+      result.push_back(view.slope(weight));
+    return result;
   }
 
  private:
+  using Neighbors = SmallVector<Neighbor, CavityShape::usual>;
+
+  // Without values all rises are zero.
+  [[nodiscard]] Neighbors around(const View& view, const SiteStar& star) const {
+    Cavity<typename View::Vertex> around;
+    for (const Site w : star.neighbors) around.add(w, view.vertex(w));
+    const PerCorner<double> areas = shares(view, star, around);
+    Neighbors neighbors;
+    for (std::size_t k = 0; k < star.neighbors.size(); ++k) {
+      const Pair<double> d = View::flat(around.vertices[k]);
+      const double rise =
+          values_.empty() ? 0 : values_[at(star.neighbors[k])] - values_[at(star.site)];
+      neighbors.push_back({d, rise, areas[k] / dot(d, d)});
+    }
+    return neighbors;
+  }
+
   // What each neighbour gets of the site's cell.
-  [[nodiscard]] PerCorner<double> shares(const View& view, Site s,
+  [[nodiscard]] PerCorner<double> shares(const View& view, const SiteStar& star,
                                          Cavity<typename View::Vertex>& around) const {
-    const Adjacency& adjacency = t_.adjacency();
-    if (adjacency.is_boundary(s)) return PerCorner<double>(around.sites.size(), 1.0);
-    if (adjacency.degree(s) > largest_hole) return beside(around);
-    around.shape = Hole<Triangulation>(t_, adjacency.neighbors(s)).shape();
+    if (star.is_boundary) return PerCorner<double>(around.sites.size(), 1.0);
+    if (star.neighbors.size() > largest_hole) return beside(around);
+    around.shape = Hole<Triangulation>(t_, star.neighbors).shape();
     if (around.shape.triangles.empty())
       return PerCorner<double>(around.sites.size(), 1.0);
     return view.weights(NaturalKind::sibson_c1, around);
@@ -174,16 +245,22 @@ class Fit {
   std::span<const double> values_;
 };
 
+template <class Triangulation>
+SiteStar star_of(const Triangulation& t, Site s) {
+  return {s, t.adjacency().neighbors(s), t.adjacency().is_boundary(s)};
+}
+
 template <class View, class Triangulation>
 std::vector<typename View::Slope> gradients(const Triangulation& t, double scale,
-                                            std::span<const double> values) {
+                                            std::span<const double> values,
+                                            SlopeLimit limit) {
   constexpr std::int64_t chunk = 1024;
   std::vector<typename View::Slope> result(at(t.num_sites()));
   const Fit<View, Triangulation> fit(t, scale, values);
   delaunay::parallel_chunks(t.num_sites(), chunk, {},
                             [&](std::int64_t first, std::int64_t last) {
-                              for (std::int64_t s = first; s < last; ++s)
-                                result[at(s)] = fit(static_cast<Site>(s));
+                              for (auto s = static_cast<Site>(first); s < last; ++s)
+                                result[at(s)] = fit(star_of(t, s), limit);
                             });
   return result;
 }
@@ -192,14 +269,40 @@ std::vector<typename View::Slope> gradients(const Triangulation& t, double scale
 
 std::vector<PlaneView::Slope> natural_gradients(const tripack::Triangulation& t,
                                                 double scale,
-                                                std::span<const double> site_values) {
-  return gradients<PlaneView>(t, scale, site_values);
+                                                std::span<const double> site_values,
+                                                SlopeLimit limit) {
+  return gradients<PlaneView>(t, scale, site_values, limit);
 }
 
 std::vector<SphereView::Slope> natural_gradients(const stripack::Triangulation& t,
                                                  double scale,
-                                                 std::span<const double> site_values) {
-  return gradients<SphereView>(t, scale, site_values);
+                                                 std::span<const double> site_values,
+                                                 SlopeLimit limit) {
+  return gradients<SphereView>(t, scale, site_values, limit);
+}
+
+PlaneView::Slope natural_gradient(const tripack::Triangulation& t, double scale,
+                                  std::span<const double> site_values,
+                                  const SiteStar& star) {
+  return Fit<PlaneView, tripack::Triangulation>(t, scale, site_values)(
+      star, SlopeLimit::values);
+}
+
+SphereView::Slope natural_gradient(const stripack::Triangulation& t, double scale,
+                                   std::span<const double> site_values,
+                                   const SiteStar& star) {
+  return Fit<SphereView, stripack::Triangulation>(t, scale, site_values)(
+      star, SlopeLimit::values);
+}
+
+std::vector<PlaneView::Slope> natural_slope_weights(const tripack::Triangulation& t,
+                                                    double scale, Site site) {
+  return Fit<PlaneView, tripack::Triangulation>(t, scale, {}).weights(star_of(t, site));
+}
+
+std::vector<SphereView::Slope> natural_slope_weights(const stripack::Triangulation& t,
+                                                     double scale, Site site) {
+  return Fit<SphereView, stripack::Triangulation>(t, scale, {}).weights(star_of(t, site));
 }
 
 }  // namespace delone::interp

@@ -21,11 +21,43 @@ namespace delone::interp {
 /// more than 16 times the largest difference to one: so neither nearly collinear
 /// neighbours nor very near ones make the surface explode.
 ///
+/// SlopeLimit::positions: bounds four times as high, for the steepest gradient that any
+/// values with these steepest ways and largest differences could have; then gradients are
+/// linear in the values.
+///
 /// `scale`: as PlaneView has it. O(n) for bounded degrees; O(k^2) for a site of degree k
 /// up to 64.
 [[nodiscard]] std::vector<PlaneView::Slope> natural_gradients(
-    const tripack::Triangulation& t, double scale, std::span<const double> site_values);
+    const tripack::Triangulation& t, double scale, std::span<const double> site_values,
+    SlopeLimit limit = SlopeLimit::values);
 [[nodiscard]] std::vector<SphereView::Slope> natural_gradients(
-    const stripack::Triangulation& t, double scale, std::span<const double> site_values);
+    const stripack::Triangulation& t, double scale, std::span<const double> site_values,
+    SlopeLimit limit = SlopeLimit::values);
+
+/// What the gradient at a site with SlopeLimit::positions takes from the rise to each of
+/// its neighbours, in the order of its list.
+[[nodiscard]] std::vector<PlaneView::Slope> natural_slope_weights(
+    const tripack::Triangulation& t, double scale, Site site);
+[[nodiscard]] std::vector<SphereView::Slope> natural_slope_weights(
+    const stripack::Triangulation& t, double scale, Site site);
+
+/// A site and its neighbours, counter-clockwise; of a boundary site from one boundary
+/// neighbour to the other.
+struct SiteStar {
+  delaunay::Site site = delaunay::none;
+  std::span<const delaunay::Site> neighbors;
+  bool is_boundary = false;
+};
+
+/// The same for one site whose neighbours are given: those that it has in another
+/// triangulation of these sites, without some of them.
+[[nodiscard]] PlaneView::Slope natural_gradient(const tripack::Triangulation& t,
+                                                double scale,
+                                                std::span<const double> site_values,
+                                                const SiteStar& star);
+[[nodiscard]] SphereView::Slope natural_gradient(const stripack::Triangulation& t,
+                                                 double scale,
+                                                 std::span<const double> site_values,
+                                                 const SiteStar& star);
 
 }  // namespace delone::interp

@@ -39,11 +39,7 @@ template <class Triangulation>
 std::vector<double> checked_values(const Triangulation& t,
                                    std::span<const double> row_values,
                                    const NaturalOptions& options) {
-  check(options.surface());
-  if (options.outside == Outside::linear) {
-    throw Error(
-        "natural neighbours have no linear continuation; take nearest or missing");
-  }
+  check_natural(options);
   return values_at_sites(t.sites(), t.num_sites(), row_values, options.duplicates);
 }
 
@@ -102,7 +98,7 @@ std::shared_ptr<const NaturalCells<View>> make_cells(
   const double scale = scale_of(t->points());
   std::vector<typename View::Slope> slopes;
   if (needs_slopes(options, t->dimension()))
-    slopes = natural_gradients(*t, scale, values);
+    slopes = natural_gradients(*t, scale, values, options.slope_limit);
   return std::make_shared<NaturalCells<View>>(std::move(t), std::move(values),
                                               std::move(slopes), scale, options);
 }
@@ -127,6 +123,14 @@ std::vector<Result> along_curve(const Cells& cells, std::span<const Point> point
 }
 
 }  // namespace
+
+void check_natural(const NaturalOptions& options) {
+  check(options.surface());
+  if (options.outside == Outside::linear) {
+    throw Error(
+        "natural neighbours have no linear continuation; take nearest or missing");
+  }
+}
 
 PlaneNatural::PlaneNatural(std::shared_ptr<const tripack::Triangulation> triangulation,
                            std::span<const double> row_values,

@@ -23,8 +23,22 @@ enum class NaturalKind : std::uint8_t {
   sibson_c1  ///< Farin's cubic over Sibson's weights: gradients are continuous too
 };
 
+/// What keeps the fitted gradients of sibson_c1 from growing steep.
+enum class SlopeLimit : std::uint8_t {
+  /// The values around the node: no steeper than four times the steepest way to a
+  /// neighbour. Gradients are as good as the fit wherever the values allow it.
+  values,
+  /// The places of the neighbours alone: where they could make the gradient four times as
+  /// steep as that for some values, it is shortened for all. The surface is linear in the
+  /// data
+  /// (natural_operator); linear functions are not reproduced beside nodes
+  /// whose neighbours are badly placed.
+  positions
+};
+
 struct NaturalOptions {
   NaturalKind kind = NaturalKind::sibson;
+  SlopeLimit slope_limit = SlopeLimit::values;
   // As in SurfaceOptions.
   Duplicates duplicates = Duplicates::mean;
   Outside outside = Outside::missing;
@@ -35,6 +49,9 @@ struct NaturalOptions {
     return {duplicates, outside, max_distance, distance};
   }
 };
+
+/// Throws Error as check(SurfaceOptions), and for Outside::linear.
+void check_natural(const NaturalOptions& options);
 
 class PlaneView;
 class SphereView;

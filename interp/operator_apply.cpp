@@ -36,12 +36,22 @@ struct MatrixRows {
   [[nodiscard]] MatrixRow operator[](std::int64_t i) const noexcept {
     return {columns + offsets[i], weights + offsets[i], offsets[i + 1] - offsets[i]};
   }
+  /// Of all these rows; -1 if they differ.
+  [[nodiscard]] int common_length(std::int64_t first, std::int64_t last) const noexcept {
+    const int length = offsets[first + 1] - offsets[first];
+    int differences = 0;
+    for (std::int64_t i = first; i < last; ++i)
+      differences |= (offsets[i + 1] - offsets[i]) ^ length;
+    return differences == 0 ? length : -1;
+  }
   /// Hardware stops looking ahead where a page ends.
   void prefetch_after(std::int64_t i) const noexcept {
+    prefetch_after(weights + offsets[i], columns + offsets[i]);
+  }
+  static void prefetch_after(const double* weight, const int* column) noexcept {
     constexpr std::uintptr_t ahead = 512;
-    const auto place = static_cast<std::uintptr_t>(offsets[i]) + ahead;
-    prefetch(weights, place * sizeof(double));
-    prefetch(columns, place * sizeof(int));
+    prefetch(weight, ahead * sizeof(double));
+    prefetch(column, ahead * sizeof(int));
   }
   // As a number: no pointer may lie beyond its array, or count from null.
   static void prefetch(const void* start, std::uintptr_t bytes) noexcept {
@@ -194,13 +204,49 @@ void fill(MatrixRows rows, std::int64_t first, std::int64_t last, double empty,
   }
 }
 
-/// `value(row)` for every target that is not missing.
+/// Rows of one length: nothing is read but weights, columns and values.
+template <std::ptrdiff_t width>
+void fill_equal(MatrixRows rows, std::int64_t first, std::int64_t last,
+                const double* values, double* out) {
+  const double* w = rows.weights + rows.offsets[first];
+  const int* c = rows.columns + rows.offsets[first];
+  for (std::int64_t i = first; i < last; ++i, w += width, c += width) {
+    MatrixRows::prefetch_after(w, c);
+    out[i] = sequential_sum({c, w, width}, values);
+  }
+}
+
+/// The weighted sums of the values. Most operators have long stretches of rows of one
+/// length, 3 in triangles, 4 in cells of a grid, 1 for the nearest point.
+void fill_sums(MatrixRows rows, std::int64_t first, std::int64_t last,
+               const double* values, double* out) {
+  constexpr std::int64_t stretch = 64;
+  for (std::int64_t begin = first; begin < last; begin += stretch) {
+    const std::int64_t end = std::min(begin + stretch, last);
+    switch (rows.common_length(begin, end)) {
+      case 1:
+        fill_equal<1>(rows, begin, end, values, out);
+        break;
+      case 3:
+        fill_equal<3>(rows, begin, end, values, out);
+        break;
+      case 4:
+        fill_equal<4>(rows, begin, end, values, out);
+        break;
+      default:
+        fill(
+            rows, begin, end, missing,
+            [values](const MatrixRow& row) { return weighted_sum(row, values); }, out);
+    }
+  }
+}
+
+/// `fill(rows, first, last, out)` gives all targets their values, piece by piece.
 ///
 /// One thread lets the result grow as it goes, so that the zeros a vector begins with are
 /// still in the cache when they are written over.
-template <class Value>
-std::vector<double> for_targets(const Matrix& matrix, double empty, const RunOptions& run,
-                                Value value) {
+template <class Fill>
+std::vector<double> filled(const Matrix& matrix, const RunOptions& run, Fill fill) {
   const MatrixRows rows(matrix);
   const auto size = static_cast<std::size_t>(matrix.rows());
   const bool is_alone = delaunay::num_threads(run) == 1;
@@ -211,9 +257,19 @@ std::vector<double> for_targets(const Matrix& matrix, double empty, const RunOpt
   delaunay::parallel_chunks(matrix.rows(), targets_at_once, run,
                             [&](std::int64_t first, std::int64_t last) {
                               if (is_alone) result.resize(at(last));
-                              fill(rows, first, last, empty, value, result.data());
+                              fill(rows, first, last, result.data());
                             });
   return result;
+}
+
+/// `value(row)` for every target that is not missing.
+template <class Value>
+std::vector<double> for_targets(const Matrix& matrix, double empty, const RunOptions& run,
+                                Value value) {
+  return filled(matrix, run,
+                [&](MatrixRows rows, std::int64_t first, std::int64_t last, double* out) {
+                  fill(rows, first, last, empty, value, out);
+                });
 }
 
 template <class F>
@@ -239,15 +295,17 @@ std::vector<double> Operator::apply(std::span<const double> row_values,
   check(options);
   check_count(std::ssize(row_values), matrix_->cols(), "values", "point");
   const double* values = row_values.data();
-  if (options.missing == MissingRows::propagate) {
-    return for_targets(*matrix_, missing, run, [values](const MatrixRow& row) {
-      return weighted_sum(row, values);
-    });
-  }
-  return for_targets(*matrix_, missing, run, [&](const MatrixRow& row) {
-    const double sum = weighted_sum(row, values);
-    return std::isnan(sum) ? renormalized_sum(row, values, 1, options.least_share) : sum;
-  });
+  const auto renormalize = [&](const MatrixRow& row, double& sum) {
+    if (std::isnan(sum) && row.size > 0)
+      sum = renormalized_sum(row, values, 1, options.least_share);
+  };
+  return filled(*matrix_, run,
+                [&](MatrixRows rows, std::int64_t first, std::int64_t last, double* out) {
+                  fill_sums(rows, first, last, values, out);
+                  if (options.missing == MissingRows::propagate) return;
+                  for (std::int64_t i = first; i < last; ++i)
+                    renormalize(rows[i], out[i]);
+                });
 }
 
 Fields Operator::apply_fields(const Eigen::Ref<const Fields>& fields,

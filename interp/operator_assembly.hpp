@@ -79,18 +79,20 @@ class OperatorAssembly {
   std::atomic<std::int64_t> num_weights_{0};
 };
 
-/// The operator of any interpolant that is linear in the data: `terms(point, cursor)`
-/// gives a target's weights by site (SiteTerms), called from several threads.
+/// The operator of any interpolant that is linear in the data, by chunks of targets that
+/// lie near one another: `make_rows()` gives for each chunk what computes its rows,
+/// called as `rows(point, cursor)`, a target's weights by site (SiteTerms; by value, or
+/// good until the next call). It may remember what neighbouring targets share. Chunks are
+/// computed on several threads, each by one.
 ///
 /// Targets are visited along a curve and in pieces that do not depend on the number of
 /// threads; the result does not depend on either. `t` is the triangulation whose sites
 /// the cursors walk on. Throws Error for more than 2^31 weights or targets; Cancelled.
 /// Memory: the matrix twice (the pieces are freed one by one), and 16 bytes a target.
-template <class Point, class Terms>
-[[nodiscard]] Operator assemble_operator(std::span<const Point> targets,
-                                         const delaunay::Adjacency& t,
-                                         const RowShares& shares, delaunay::Node num_rows,
-                                         const RunOptions& run, Terms terms) {
+template <class Point, class MakeRows>
+[[nodiscard]] Operator assemble_operator_in_chunks(
+    std::span<const Point> targets, const delaunay::Adjacency& t, const RowShares& shares,
+    delaunay::Node num_rows, const RunOptions& run, MakeRows make_rows) {
   constexpr std::int64_t ahead = 8;
   constexpr double part_for_terms = 0.9;  // of the progress
   OperatorAssembly assembly(
@@ -99,15 +101,27 @@ template <class Point, class Terms>
   visit_along_curve(targets, run, {0, part_for_terms}, [&](const CurveChunk& chunk) {
     Cursor cursor = cursor_along_curve(t, chunk.place());
     OperatorChunk rows(at(chunk.size()));
+    auto&& terms = make_rows();
     for (std::int64_t k = 0; k < chunk.size(); ++k) {
       if (k + ahead < chunk.size()) __builtin_prefetch(&targets[chunk[k + ahead]]);
-      const SiteTerms auto sum = terms(targets[chunk[k]], cursor);
+      const auto& sum = terms(targets[chunk[k]], cursor);
       rows.append(static_cast<std::int64_t>(chunk[k]), sum.sites(), sum.weights(),
                   shares);
     }
     assembly.keep(at(chunk.number()), std::move(rows));
   });
   return assembly.finish(run);
+}
+
+/// The same where rows have nothing to remember: `terms(point, cursor)` gives a target's
+/// weights, called from several threads.
+template <class Point, class Terms>
+[[nodiscard]] Operator assemble_operator(std::span<const Point> targets,
+                                         const delaunay::Adjacency& t,
+                                         const RowShares& shares, delaunay::Node num_rows,
+                                         const RunOptions& run, Terms terms) {
+  return assemble_operator_in_chunks(targets, t, shares, num_rows, run,
+                                     [&]() -> Terms& { return terms; });
 }
 
 }  // namespace delone::interp

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "delaunay/adjacency.hpp"
 #include "interp/index.hpp"
@@ -42,6 +43,32 @@ class TermList {
   static constexpr std::size_t inline_terms = 16;
   SmallVector<delaunay::Site, inline_terms> sites_;
   SmallVector<double, inline_terms> weights_;
+};
+
+/// The same for methods whose rows hold many sites, some of them several times: one
+/// object for many rows, which keeps its memory.
+class NodalTerms {
+ public:
+  void clear() noexcept {
+    sites_.clear();
+    weights_.clear();
+  }
+  void add(delaunay::Site site, double weight) {
+    sites_.push_back(site);
+    weights_.push_back(weight);
+  }
+  /// The weight times (the value of `to` less that of `from`): sums stay what they are.
+  void add_rise(delaunay::Site from, delaunay::Site to, double weight) {
+    if (weight == 0) return;
+    add(to, weight);
+    add(from, -weight);
+  }
+  [[nodiscard]] std::span<const delaunay::Site> sites() const noexcept { return sites_; }
+  [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
+
+ private:
+  std::vector<delaunay::Site> sites_;
+  std::vector<double> weights_;
 };
 
 /// The sum over site values, NaN if missing. Computed from the first site on, so that

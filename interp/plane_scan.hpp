@@ -7,6 +7,7 @@
 #include "delaunay/parallel.hpp"
 #include "interp/axis_table.hpp"
 #include "interp/cursor.hpp"
+#include "interp/node_batch.hpp"
 #include "interp/plane_reach.hpp"
 #include "interp/surface_options.hpp"
 #include "interp/triangle_nodes.hpp"
@@ -16,7 +17,8 @@ namespace delone::interp {
 /// A surface of the plane on a regular grid, triangle by triangle along rows.
 ///
 /// `Cells` has facet(arc), the surface in the triangle on the left of an arc that leaves
-/// its smallest site: a function of the scaled point that can fill a row; and
+/// its smallest site: a function of the scaled point that can fill a row or
+/// a batch of nodes; and
 /// edge_value(from, to, point) for points on edges.
 //
 // Whether a node is in a triangle is read off the crossings of its row with the edges
@@ -82,6 +84,7 @@ class PlaneScan {
     IndexRange columns;
     double tolerance = 0;  // bound on the error of a crossing, in columns
     bool is_reached = true;
+    NodeBatch* batch = nullptr;
   };
 
   Point2 point(Site s) const { return cells_.triangulation().points()[at(s)]; }
@@ -101,14 +104,17 @@ class PlaneScan {
         scaled_x_.position(std::max({p[0].x, p[1].x, p[2].x}) * cells_.scale()) +
             tolerance);
     if (columns.is_empty()) return;
+    NodeBatch inner;
     Triangle t{.arc = arc,
                .corners = corners,
                .facet = cells_.facet(arc),
                .columns = columns,
                .tolerance = tolerance,
-               .is_reached = cells_.reach().covers_triangle(corners)};
+               .is_reached = cells_.reach().covers_triangle(corners),
+               .batch = &inner};
     set_crossings(t, p);
     for (std::int64_t j = rows.begin; j < rows.end; ++j) scan_row(t, j);
+    if constexpr (FillsBatches<typename Cells::Facet>) t.facet.fill(inner);
   }
 
   // A crossing is off by some roundings of the coordinates of corners and nodes.
@@ -182,13 +188,28 @@ class PlaneScan {
   }
 
   void fill(const Triangle& t, IndexRange columns, std::int64_t j) {
-    t.facet.fill_row(&node(0, j), scaled_x_.data(), columns, scaled_y_[j]);
-    if (t.is_reached) return;
-    for (std::int64_t i = columns.begin; i < columns.end; ++i) mask(t, i, j);
+    if constexpr (FillsBatches<typename Cells::Facet>) {
+      gather(t, columns, j);
+    } else {
+      t.facet.fill_row(&node(0, j), scaled_x_.data(), columns, scaled_y_[j]);
+      if (t.is_reached) return;
+      for (std::int64_t i = columns.begin; i < columns.end; ++i) {
+        if (!is_reached(t, i, j)) node(i, j) = missing;
+      }
+    }
   }
 
-  void mask(const Triangle& t, std::int64_t i, std::int64_t j) {
-    if (!cells_.reach().covers({x_[i], y_[j]}, t.corners[0])) node(i, j) = missing;
+  void gather(const Triangle& t, IndexRange columns, std::int64_t j) {
+    NodeBatch& batch = *t.batch;
+    for (std::int64_t i = columns.begin; i < columns.end; ++i) {
+      if (!is_reached(t, i, j)) continue;  // stays missing
+      if (batch.is_full()) t.facet.fill(batch);
+      batch.add(&node(i, j), scaled_x_[i], scaled_y_[j]);
+    }
+  }
+
+  bool is_reached(const Triangle& t, std::int64_t i, std::int64_t j) const {
+    return t.is_reached || cells_.reach().covers({x_[i], y_[j]}, t.corners[0]);
   }
 
   void decide(const Triangle& t, IndexRange columns, std::int64_t j) {
@@ -208,7 +229,7 @@ class PlaneScan {
     } else {
       return;
     }
-    if (!t.is_reached) mask(t, i, j);
+    if (!is_reached(t, i, j)) node(i, j) = missing;
   }
 
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();

@@ -10,6 +10,7 @@
 #include "interp/circle_gaps.hpp"
 #include "interp/cursor.hpp"
 #include "interp/globe_table.hpp"
+#include "interp/node_batch.hpp"
 #include "interp/sphere_edge.hpp"
 #include "interp/sphere_reach.hpp"
 #include "interp/surface_options.hpp"
@@ -76,6 +77,7 @@ class SphereScan {
     std::array<SphereEdge, 3> edges;
     typename Cells::Facet facet;
     bool is_reached;
+    NodeBatch* batch;
   };
   // A span of positions in columns.
   struct Span {
@@ -98,11 +100,16 @@ class SphereScan {
       e.opposite =
           first_lon_ + std::atan2(-e.y_normal, -e.x_normal) * columns_per_radian_;
     }
-    Triangle t{arc, corners, edges, cells_.facet(arc),
-               cells_.reach().covers_triangle(corners)};
-    if (const std::optional<Span> span = narrow_span(t))
-      return scan_narrow(t, *span, rows);
-    for (std::int64_t j = rows.begin; j < rows.end; ++j) scan_row(t, j);
+    NodeBatch inner;
+    Triangle t{
+        arc,   corners, edges, cells_.facet(arc), cells_.reach().covers_triangle(corners),
+        &inner};
+    if (const std::optional<Span> span = narrow_span(t)) {
+      scan_narrow(t, *span, rows);
+    } else {
+      for (std::int64_t j = rows.begin; j < rows.end; ++j) scan_row(t, j);
+    }
+    if constexpr (FillsBatches<typename Cells::Facet>) t.facet.fill(inner);
   }
 
   IndexRange rows_of(const std::array<SphereEdge, 3>& edges) const {
@@ -207,13 +214,29 @@ class SphereScan {
   }
 
   void fill(const Triangle& t, IndexRange columns, std::int64_t j) {
-    t.facet.fill_row(&node(0, j), table_, columns, j);
-    if (t.is_reached) return;
-    for (std::int64_t i = columns.begin; i < columns.end; ++i) mask(t, i, j);
+    if constexpr (FillsBatches<typename Cells::Facet>) {
+      gather(t, columns, j);
+    } else {
+      t.facet.fill_row(&node(0, j), table_, columns, j);
+      if (t.is_reached) return;
+      for (std::int64_t i = columns.begin; i < columns.end; ++i) {
+        if (!is_reached(t, i, j)) node(i, j) = missing;
+      }
+    }
   }
 
-  void mask(const Triangle& t, std::int64_t i, std::int64_t j) {
-    if (!cells_.reach().covers(table_.node(i, j), t.corners[0])) node(i, j) = missing;
+  void gather(const Triangle& t, IndexRange columns, std::int64_t j) {
+    NodeBatch& batch = *t.batch;
+    for (std::int64_t i = columns.begin; i < columns.end; ++i) {
+      if (!is_reached(t, i, j)) continue;  // stays missing
+      if (batch.is_full()) t.facet.fill(batch);
+      const Vector3 p = table_.vector(i, j);
+      batch.add(&node(i, j), p.x, p.y, p.z);
+    }
+  }
+
+  bool is_reached(const Triangle& t, std::int64_t i, std::int64_t j) const {
+    return t.is_reached || cells_.reach().covers(table_.node(i, j), t.corners[0]);
   }
 
   void decide(const Triangle& t, IndexRange columns, std::int64_t j) {
@@ -232,7 +255,7 @@ class SphereScan {
     } else {
       return;
     }
-    if (!t.is_reached) mask(t, i, j);
+    if (!is_reached(t, i, j)) node(i, j) = missing;
   }
 
   void write_site_in_row(Site s, std::int64_t j) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -20,6 +21,14 @@ struct StencilNode {
   bool is_neighbor = false;  ///< joined to it by an edge
 };
 
+/// Who is joined to whom, counter-clockwise; at the boundary from one boundary neighbour
+/// to the other.
+template <class T>
+concept NeighborGraph = requires(const T& graph, Site s) {
+  { graph.neighbors(s) } -> std::convertible_to<std::span<const Site>>;
+  { graph.degree(s) } -> std::convertible_to<std::int32_t>;
+};
+
 /// Nodes of a stencil at most.
 inline constexpr std::size_t most_stencil_nodes = 64;
 
@@ -29,14 +38,19 @@ inline constexpr std::size_t most_stencil_nodes = 64;
 ///
 /// A hub contributes the part of its neighbours that faces the node, and at most
 /// `most_stencil_nodes` nearest ones are kept, so the cost of a node is bounded.
-/// Deterministic; one object a thread, for its memory.
-template <BlendSpace Space>
+/// Deterministic; one object a thread, for its memory. The graph is the triangulation's
+/// adjacency, or what it becomes without a site.
+template <BlendSpace Space, NeighborGraph Graph = Adjacency>
 class StencilGatherer {
  public:
   StencilGatherer(const Space& space, const typename Space::Triangulation& triangulation)
-      : space_(space),
-        triangulation_(&triangulation),
-        adjacency_(&triangulation.adjacency()) {}
+      : StencilGatherer(space, triangulation, triangulation.adjacency()) {}
+  StencilGatherer(const Space& space, const typename Space::Triangulation& triangulation,
+                  const Graph& graph)
+      : StencilGatherer(space, triangulation.points(), graph) {}
+  StencilGatherer(const Space& space, std::span<const typename Space::Point> points,
+                  const Graph& graph)
+      : space_(space), points_(points), adjacency_(&graph) {}
 
   /// At least `num_nearest` nodes if there are as many within three rings. The span is
   /// good until the next call.
@@ -73,7 +87,7 @@ class StencilGatherer {
     used_.clear();
     nodes_.clear();
     center_ = center;
-    origin_ = space_.vector(triangulation_->points()[at(center)]);
+    origin_ = space_.vector(points_[at(center)]);
     static_cast<void>(is_new(center));
   }
 
@@ -90,8 +104,7 @@ class StencilGatherer {
 
   void add(Site s, bool is_neighbor) {
     if (!is_new(s)) return;
-    const auto points = triangulation_->points();
-    const auto d = Space::difference(space_.vector(points[at(s)]), origin_);
+    const auto d = Space::difference(space_.vector(points_[at(s)]), origin_);
     nodes_.push_back({s, Space::dot(d, d), is_neighbor});
   }
 
@@ -146,8 +159,8 @@ class StencilGatherer {
   }
 
   Space space_;
-  const typename Space::Triangulation* triangulation_;
-  const Adjacency* adjacency_;
+  std::span<const typename Space::Point> points_;
+  const Graph* adjacency_;
   Site center_ = none;
   typename Space::Vector origin_{};
   std::vector<StencilNode> nodes_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "interp/grid.hpp"
 
@@ -15,9 +16,17 @@ struct GridInfo {
   std::string title;
 };
 
+/// Another variable on the nodes of a file's first one, such as the other component of a
+/// vector.
+struct GridVariable {
+  std::string name, units;
+  std::vector<double> values;
+};
+
 struct GridFile {
   interp::Field field;
   GridInfo info;
+  std::vector<GridVariable> more = {};  ///< `nc` and `csv` only
 };
 
 /// Writes a grid; the same bytes for the same field and info. The format is `format` or
@@ -26,14 +35,15 @@ struct GridFile {
 /// - `nc`: NetCDF classic with 64-bit offsets, CF-1.8: coordinate variables `lon`, `lat`
 ///   or `x`, `y` with units, the data as double with `_FillValue` for missing nodes,
 ///   long_name, units; no history, no date.
-/// - `csv`: a header line, then x,y,value row by row from the south-west; missing values
-///   empty.
+/// - `csv`: a header line, then x,y,value (and the values of `more`) row by row from the
+///   south-west; missing values empty.
 /// - `asc`: Esri ASCII grid, which knows square cells only; -9999 (or -99999, ...) for
 ///   missing nodes.
 ///
-/// Pictures are io/map.hpp's. Throws WriteError: no such format, spacing that is not
-/// square, and as OutputFile; Error if the number of values is not that of the grid's
-/// nodes or is zero.
+/// Names of variables that are the same once made valid get a number. Pictures are
+/// io/map.hpp's. Throws WriteError: no such format, spacing that is not square, several
+/// variables in an `asc`, and as OutputFile; Error if a number of values is not that of
+/// the grid's nodes or is zero.
 void write_grid(const std::string& path, const GridFile& grid,
                 const std::string& format = "");
 

@@ -38,15 +38,29 @@ int add_coordinate(NetcdfImage& image, const Coordinate& coordinate, int dimensi
   return variable;
 }
 
-int add_data(NetcdfImage& image, const GridInfo& info,
-             const std::vector<int>& dimensions) {
-  std::string name = valid_variable_name(info.name);
-  for (const char* const taken : {"lon", "lat", "x", "y"})
-    if (name == taken) name += "_value";
+/// Names for variables: valid, not those of coordinates, each once.
+class VariableNames {
+ public:
+  [[nodiscard]] std::string next(const std::string& wanted) {
+    std::string stem = valid_variable_name(wanted);
+    for (const char* const taken : {"lon", "lat", "x", "y"})
+      if (stem == taken) stem += "_value";
+    std::string name = stem;
+    for (int number = 2; std::ranges::find(taken_, name) != taken_.end(); ++number)
+      name = stem + "_" + std::to_string(number);
+    taken_.push_back(name);
+    return name;
+  }
+
+ private:
+  std::vector<std::string> taken_;
+};
+
+int add_data(NetcdfImage& image, const std::string& name, const std::string& long_name,
+             const std::string& units, const std::vector<int>& dimensions) {
   const int variable = image.add_variable(name, dimensions);
-  image.add_text(variable, "long_name",
-                 info.long_name.empty() ? info.name : info.long_name);
-  image.add_text(variable, "units", info.units);
+  image.add_text(variable, "long_name", long_name);
+  image.add_text(variable, "units", units);
   image.add_fill_value(variable, NC_FILL_DOUBLE);
   return variable;
 }
@@ -76,11 +90,23 @@ void write_grid_netcdf(const std::string& path, const GridFile& grid) {
   image.add_text(NC_GLOBAL, "title", grid.info.title);
   const int y_variable = add_coordinate(image, y, y_dimension);
   const int x_variable = add_coordinate(image, x, x_dimension);
-  const int data = add_data(image, grid.info, {y_dimension, x_dimension});
+  VariableNames names;
+  const std::vector<int> dimensions{y_dimension, x_dimension};
+  const GridInfo& info = grid.info;
+  const int data = add_data(image, names.next(info.name),
+                            info.long_name.empty() ? info.name : info.long_name,
+                            info.units, dimensions);
+  std::vector<int> more;
+  for (const GridVariable& variable : grid.more) {
+    more.push_back(add_data(image, names.next(variable.name), variable.name,
+                            variable.units, dimensions));
+  }
   image.end_definitions();
   image.put(y_variable, coordinates(y_axis));
   image.put(x_variable, coordinates(x_axis));
   image.put(data, with_fill_values(grid.field.values));
+  for (std::size_t i = 0; i < more.size(); ++i)
+    image.put(more[i], with_fill_values(grid.more[i].values));
   image.write_to(file);
   file.commit();
 }

@@ -42,12 +42,17 @@ std::int64_t no_data_value(const Field& field) {
 void write_grid_csv(const std::string& path, const GridFile& grid) {
   const auto& [x, y] = grid.field.grid;
   TextWriter text(path);
-  text << (grid.info.is_lonlat ? "lon,lat," : "x,y,") << csv_field(grid.info.name)
-       << '\n';
+  text << (grid.info.is_lonlat ? "lon,lat," : "x,y,") << csv_field(grid.info.name);
+  for (const GridVariable& variable : grid.more) text << ',' << csv_field(variable.name);
+  text << '\n';
   for (std::int64_t j = 0; j < y.size; ++j)
-    for (std::int64_t i = 0; i < x.size; ++i)
+    for (std::int64_t i = 0; i < x.size; ++i) {
       text << x.coordinate(i) << ',' << y.coordinate(j) << ','
-           << value_at(grid.field, i, j) << '\n';
+           << value_at(grid.field, i, j);
+      for (const GridVariable& variable : grid.more)
+        text << ',' << variable.values[static_cast<std::size_t>(j * x.size + i)];
+      text << '\n';
+    }
   text.commit();
 }
 

@@ -22,16 +22,17 @@ namespace {
 
 /// A chosen column and what it is.
 struct Target {
-  enum Role : std::size_t { x, y, value };
+  enum Role : std::size_t { x, y, value, second_value };
   std::size_t column = 0;
   Role role = x;
+  [[nodiscard]] bool may_be_missing() const noexcept { return role >= value; }
 };
 
 /// What became of a row. Only `good` rows are kept.
 struct Row {
   enum class Verdict { good, missing_value, bad };
   Verdict verdict = Verdict::good;
-  std::array<double, 3> numbers{};  // by Target::Role
+  std::array<double, 4> numbers{};  // by Target::Role
 };
 
 /// Reads the chosen fields of the lines of one layout.
@@ -41,6 +42,8 @@ class RowParser {
       : layout_(layout), delimiter_(layout.delimiter) {
     targets_ = {{layout.x, Target::x}, {layout.y, Target::y}};
     if (layout.value) targets_.push_back({*layout.value, Target::value});
+    if (layout.second_value)
+      targets_.push_back({*layout.second_value, Target::second_value});
     std::ranges::sort(targets_, {}, &Target::column);
   }
 
@@ -121,7 +124,7 @@ Row RowParser::parse_carefully(std::string_view line) const {
     const Number number = parse_number((*fields)[target.column]);
     row.numbers[target.role] = number.value;
     if (number.kind == Number::Kind::finite) continue;
-    if (target.role != Target::value || number.kind == Number::Kind::text) return row;
+    if (!target.may_be_missing() || number.kind == Number::Kind::text) return row;
     has_value = false;
   }
   row.verdict = has_value ? Row::Verdict::good : Row::Verdict::missing_value;
@@ -140,7 +143,7 @@ std::string RowParser::complaint(std::string_view line) const {
     const std::string place = ", " + column_label(layout_, target.column) + ": ";
     if (kind == Number::Kind::text)
       return place + "'" + excerpt(field) + "' is not a number";
-    if (target.role == Target::value || kind == Number::Kind::finite) continue;
+    if (target.may_be_missing() || kind == Number::Kind::finite) continue;
     if (kind == Number::Kind::missing && field.empty())
       return place + "the coordinate is empty";
     return place + "the coordinate '" + excerpt(field) + "' is not finite";
@@ -153,7 +156,11 @@ class TableBuilder {
  public:
   TableBuilder(const LineReader& reader, const TableLayout& layout,
                const TableOptions& options)
-      : reader_(reader), options_(options), parser_(layout), has_value_(layout.value) {}
+      : reader_(reader),
+        options_(options),
+        parser_(layout),
+        has_value_(layout.value),
+        has_second_value_(layout.second_value) {}
 
   void add(std::string_view line) {
     const Row row = parser_.parse(line);
@@ -168,6 +175,7 @@ class TableBuilder {
     table_.x.reserve(num_rows);
     table_.y.reserve(num_rows);
     if (has_value_) table_.value.reserve(num_rows);
+    if (has_second_value_) table_.second_value.reserve(num_rows);
   }
 
   [[nodiscard]] PointTable take() { return std::move(table_); }
@@ -178,6 +186,8 @@ class TableBuilder {
     table_.x.push_back(row.numbers[Target::x]);
     table_.y.push_back(row.numbers[Target::y]);
     if (has_value_) table_.value.push_back(row.numbers[Target::value]);
+    if (has_second_value_)
+      table_.second_value.push_back(row.numbers[Target::second_value]);
     if (options_.keep_text) table_.text.emplace_back(line);
   }
 
@@ -211,7 +221,7 @@ class TableBuilder {
   const LineReader& reader_;
   const TableOptions& options_;
   RowParser parser_;
-  bool has_value_;
+  bool has_value_, has_second_value_;
   PointTable table_;
 };
 
@@ -239,9 +249,15 @@ void describe_columns(PointTable& table, const TableLayout& layout) {
   table.y_name = column_name(layout, layout.y);
   table.is_lonlat = is_lonlat(layout);
   table.delimiter = layout.delimiter;
-  if (!layout.value) return;
-  table.value_name = column_name(layout, *layout.value);
-  if (layout.has_header) table.value_units = guess_units(table.value_name);
+  if (layout.value) {
+    table.value_name = column_name(layout, *layout.value);
+    if (layout.has_header) table.value_units = guess_units(table.value_name);
+  }
+  if (layout.second_value) {
+    table.second_value_name = column_name(layout, *layout.second_value);
+    if (layout.has_header)
+      table.second_value_units = guess_units(table.second_value_name);
+  }
 }
 
 void check_not_empty(const PointTable& table, const std::string& file_name) {

@@ -31,6 +31,9 @@ struct TableOptions {
   enum class Content : std::uint8_t { points, rings };
   Content content = Content::points;
   std::string x, y, value;
+  /// A second column of values, of vectors; empty: none. Rows that lack either value are
+  /// dropped.
+  std::string second_value;
   /// false: a value column is read only if `value` names it.
   bool needs_value = true;
   bool skip_bad_rows = false;
@@ -45,7 +48,7 @@ struct TableOptions {
 /// lines not counted).
 struct PointTable {
   /// One entry a kept row; `value` is empty where none was read.
-  std::vector<double> x, y, value;
+  std::vector<double> x, y, value, second_value;
   /// For each kept row its data row number, from 0; empty if that is its index here.
   std::vector<std::int64_t> row;
   /// For each kept row its line in the file, from 1; empty if that is first_line + row.
@@ -54,10 +57,11 @@ struct PointTable {
   std::int64_t num_rows = 0;     ///< data rows in the file, dropped ones counted
   std::int64_t num_missing = 0;  ///< dropped: value missing (nan, NA, empty) or infinite
   std::int64_t num_bad = 0;      ///< dropped by skip_bad_rows
-  std::string x_name, y_name, value_name;  ///< or "column 1" and so on
-  bool is_lonlat = false;   ///< the coordinate columns are called longitude/latitude
-  std::string value_units;  ///< from `name [unit]`, `name (unit)`, `name_unit`, or empty
-  std::string header;       ///< the header line as it stands (keep_text)
+  std::string x_name, y_name, value_name, second_value_name;  ///< or "column 1" and so on
+  bool is_lonlat = false;  ///< the coordinate columns are called longitude/latitude
+  /// From `name [unit]`, `name (unit)`, `name_unit`, or empty.
+  std::string value_units, second_value_units;
+  std::string header;             ///< the header line as it stands (keep_text)
   std::vector<std::string> text;  ///< the kept lines as they stand (keep_text)
   char delimiter = ',';       ///< ',', ';', '\t' or ' ' (any number of blanks and tabs)
   bool is_node_file = false;  ///< the file is a .node file of Triangle

@@ -236,14 +236,17 @@ bool is_text(std::string_view field) {
 /// See find_layout: which fields of the first line tell a header from data.
 bool is_header(const std::vector<std::string_view>& fields, const TableOptions& options) {
   const auto x = parse_integer(options.x), y = parse_integer(options.y);
-  const auto value = parse_integer(options.value);
-  const bool all_by_number = x && y && (value || !options.needs_value);
+  const auto value = parse_integer(options.value),
+             second = parse_integer(options.second_value);
+  const bool all_by_number = x && y && (value || !options.needs_value) &&
+                             (second || options.second_value.empty());
   if (!all_by_number) return std::ranges::any_of(fields, is_text);
   const auto is_text_column = [&](std::int64_t column) {
     return column >= 1 && std::cmp_less_equal(column, fields.size()) &&
            is_text(fields[static_cast<std::size_t>(column - 1)]);
   };
-  return is_text_column(*x) || is_text_column(*y) || (value && is_text_column(*value));
+  return is_text_column(*x) || is_text_column(*y) || (value && is_text_column(*value)) ||
+         (second && is_text_column(*second));
 }
 
 }  // namespace
@@ -276,6 +279,8 @@ TableLayout find_layout(const std::string& file_name, std::string_view first_lin
     layout.value = finder.first_other();
   else if (options.needs_value)
     layout.value = finder.first_numeric(lines);
+  if (!options.second_value.empty())
+    layout.second_value = finder.chosen(options.second_value);
   return layout;
 }
 

@@ -16,7 +16,7 @@ struct TableLayout {
   std::vector<std::string> names;  ///< empty without a header
   std::size_t num_columns = 0;
   std::size_t x = 0, y = 1;
-  std::optional<std::size_t> value;
+  std::optional<std::size_t> value, second_value;
 };
 
 /// Finds delimiter, header and the chosen columns.
