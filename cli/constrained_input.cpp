@@ -38,6 +38,7 @@ ConstrainedInput read_poly_alone(const PointSettings& settings, Reporter& report
   input.path = settings.path;
   input.segment_lines = std::move(file.segment_lines);
   input.file_base = file.nodes.base;
+  input.attributes = std::move(file.nodes.attributes);
   return input;
 }
 

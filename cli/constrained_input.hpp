@@ -26,6 +26,8 @@ struct ConstrainedInput {
   bool is_sense_open = false;
   /// Segments at the end that repeat others, so that they count for no ring.
   std::int64_t num_doubled = 0;
+  /// The attributes of a .poly file's vertices, read instead of a table.
+  std::vector<std::vector<double>> attributes;
   std::optional<int> file_base;  ///< the number of the first node in the file
 };
 

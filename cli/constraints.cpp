@@ -299,6 +299,18 @@ Constrained build_constrained(const ConstrainedInput& input,
   });
 }
 
+Constrained build_domain(const ConstrainedInput& input,
+                         const ConstraintSettings& settings, Reporter& reporter) {
+  Constrained built = build_constrained(input, settings, reporter);
+  std::visit(
+      [&](const auto& t) {
+        require_domain(input, t);
+        say_domain(input, t, t.num_rows() - t.num_input_rows(), reporter);
+      },
+      built);
+  return built;
+}
+
 ConstrainedOutput triangulate(const ConstrainedInput& input,
                               const ConstraintSettings& settings, Reporter& reporter) {
   check_domain(input, settings);

@@ -54,6 +54,12 @@ using Constrained =
                                             const ConstraintSettings& settings,
                                             Reporter& reporter);
 
+/// The same; says what was not clean and how large the domain is. Throws besides for a
+/// domain that holds nothing.
+[[nodiscard]] Constrained build_domain(const ConstrainedInput& input,
+                                       const ConstraintSettings& settings,
+                                       Reporter& reporter);
+
 /// A triangulated domain in the numbers of the output: data rows, then the vertices of
 /// the constraints, then added ones.
 struct ConstrainedOutput {

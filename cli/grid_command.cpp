@@ -1,16 +1,21 @@
 #include "cli/grid_command.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include "cli/constrained_surface.hpp"
+#include "cli/cross_validation.hpp"
+#include "cli/derivatives.hpp"
+#include "cli/grid_choice.hpp"
 #include "cli/output.hpp"
 #include "cli/points.hpp"
+#include "cli/smoothing.hpp"
 #include "cli/surface.hpp"
+#include "cli/vector_field.hpp"
 #include "interp/grid.hpp"
 #include "io/grid_file.hpp"
 #include "io/map.hpp"
@@ -20,95 +25,16 @@ namespace {
 
 struct Settings {
   PointSettings points;
+  ConstraintSettings constraints;
   SurfaceSettings surface;
   OutputSettings output;
-  std::optional<interp::Region> region;
-  std::optional<interp::Spacing> spacing;
-  std::optional<interp::NodeCounts> counts;
+  VectorSettings vector;
+  CrossValidationSettings validation;
+  GridSettings grid;
   OutputSettings map;
   std::string title, units;
   bool draws_points = false;
 };
-
-/// The region asked for, or the one that covers the data.
-interp::Region choose_region(const Settings& settings, const Points& points,
-                             const Triangulated& triangulated) {
-  if (!settings.region) {
-    return std::visit([](const auto& t) { return interp::covering_region(*t); },
-                      triangulated);
-  }
-  interp::Region region = *settings.region;
-  // 170/-170 is the way people write a region across the date line.
-  if (!points.is_on_plane() && region.east <= region.west) region.east += 360;
-  return region;
-}
-
-interp::Spacing choose_spacing(const Settings& settings, const Points& points,
-                               const interp::Region& region,
-                               std::int64_t num_observations) {
-  if (settings.spacing) return *settings.spacing;
-  return points.is_on_plane() ? interp::suggested_plane_spacing(region, num_observations)
-                              : interp::suggested_globe_spacing(region, num_observations);
-}
-
-interp::Grid lay_grid(const Settings& settings, const Points& points,
-                      const Triangulated& triangulated) {
-  const interp::Region region = choose_region(settings, points, triangulated);
-  if (settings.counts) {
-    return points.is_on_plane() ? interp::plane_grid(region, *settings.counts)
-                                : interp::globe_grid(region, *settings.counts);
-  }
-  const auto num_sites =
-      std::visit([](const auto& t) { return t->num_sites(); }, triangulated);
-  const interp::Spacing spacing = choose_spacing(settings, points, region, num_sites);
-  // The ends of a region that was asked for are kept; one that was found is widened, so
-  // that nodes lie on multiples of the spacing wherever the data begin.
-  if (points.is_on_plane()) {
-    return interp::plane_grid(
-        settings.region ? region : interp::widened_plane_region(region, spacing),
-        spacing);
-  }
-  return interp::globe_grid(
-      settings.region ? region : interp::widened_globe_region(region, spacing), spacing);
-}
-
-/// A grid beyond memory is refused here: the system would grant it and kill the program
-/// when it is filled.
-void check_memory(const interp::Grid& grid) {
-  const double needed = static_cast<double>(grid.size()) * sizeof(double);
-  const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                           static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed < available) return;
-  throw Error(
-      fmt::format("a grid of {} x {} nodes needs {:.0f} GB of memory and there are "
-                  "{:.0f} GB; choose a "
-                  "coarser --spacing or a smaller --region",
-                  grid.x.size, grid.y.size, needed / 1e9, available / 1e9));
-}
-
-std::string described(const interp::Axis& axis) {
-  return fmt::format("{:.10g} to {:.10g} by {:.10g}", axis.coordinate(0),
-                     axis.coordinate(axis.size - 1), axis.spacing);
-}
-
-interp::Grid choose_grid(const Settings& settings, const Points& points,
-                         const Triangulated& triangulated, const Reporter& reporter) {
-  const bool is_asked_for = settings.region || settings.spacing || settings.counts;
-  try {
-    const interp::Grid grid = lay_grid(settings, points, triangulated);
-    check_memory(grid);
-    const bool is_chosen = !settings.spacing && !settings.counts;
-    reporter.say(
-        "grid: {} x {} nodes, {} {}, {} {}{}", grid.x.size, grid.y.size,
-        points.is_on_plane() ? "x" : "lon", described(grid.x),
-        points.is_on_plane() ? "y" : "lat", described(grid.y),
-        is_chosen ? " (about four nodes a point; --spacing or --size chooses)" : "");
-    return grid;
-  } catch (const Error& error) {
-    if (is_asked_for) throw UsageError(error.what());
-    throw located(points, error);
-  }
-}
 
 /// Points on one line enclose no area, so a grid over them would be missing everywhere.
 void check_dimension(const Settings& settings, const Points& points,
@@ -135,10 +61,11 @@ interp::Field evaluate(const Surface& surface, const interp::Grid& grid,
   });
 }
 
-void say_field(const interp::Field& field, const Reporter& reporter) {
+void say_field(const std::string& name, const std::vector<double>& values,
+               const Reporter& reporter) {
   const auto is_missing = [](double v) { return std::isnan(v); };
-  const auto num_missing = std::ranges::count_if(field.values, is_missing);
-  const auto num_values = static_cast<std::int64_t>(field.values.size());
+  const auto num_missing = std::ranges::count_if(values, is_missing);
+  const auto num_values = static_cast<std::int64_t>(values.size());
   if (num_missing == num_values) {
     reporter.say(
         "grid: every node is missing; check --region, --extrapolate and --max-distance");
@@ -150,9 +77,9 @@ void say_field(const interp::Field& field, const Reporter& reporter) {
   const auto greater = [&](double a, double b) {
     return !is_missing(a) && (is_missing(b) || a > b);
   };
-  reporter.say("grid: values {:.6g} to {:.6g}, {} of {} nodes missing",
-               *std::ranges::min_element(field.values, less),
-               *std::ranges::min_element(field.values, greater), num_missing, num_values);
+  reporter.say("grid: {} {:.6g} to {:.6g}, {} of {} nodes missing", name,
+               *std::ranges::min_element(values, less),
+               *std::ranges::min_element(values, greater), num_missing, num_values);
 }
 
 io::GridInfo grid_info(const Settings& settings, const Points& points) {
@@ -192,46 +119,105 @@ void write(const Settings& settings, const std::string& format, const Points& po
   if (!settings.map.path.empty()) reporter.say("wrote {}", settings.map.path);
 }
 
-ExitCode run(const Settings& settings, Reporter& reporter) {
+void check_vector(const Settings& settings) {
+  if (settings.vector.is_wanted &&
+      has_segments(settings.points.path, settings.constraints))
+    throw UsageError("--vector does not go with segments; leave out one of them");
+  if (settings.vector.is_wanted && !settings.map.path.empty())
+    throw UsageError(
+        "--map draws one value; with --vector leave it out and draw a component with "
+        "delone plot --variable");
+}
+
+void check_validation(const Settings& settings) {
+  const bool has_curves = has_segments(settings.points.path, settings.constraints);
+  if (settings.validation.is_wanted() && (settings.vector.is_wanted || has_curves))
+    throw UsageError(
+        fmt::format("--cross-validate does not go with {}; leave out one of them",
+                    has_curves ? "segments" : "--vector"));
+  check_cross_validation(settings.validation, settings.surface,
+                         {settings.points.path, settings.constraints.path},
+                         {settings.output.path, settings.map.path});
+}
+
+std::string choose_format(const Settings& settings) {
+  if (settings.vector.is_wanted) return choose_format(settings.output, {"nc", "csv"});
   const std::string format = choose_format(settings.output, {"nc", "csv", "asc", "png"});
-  check_output(settings.output.path, {settings.points.path});
+  if (settings.vector.wants_derivatives && format != "nc" && format != "csv")
+    throw UsageError(
+        fmt::format("--derivatives are several variables, which {} does not hold; write "
+                    ".nc or .csv",
+                    format));
+  return format;
+}
+
+/// One value and what was asked for besides.
+io::GridFile fill_scalar(const Settings& settings, const Points& points,
+                         const Surface& surface, const interp::Grid& grid,
+                         Reporter& reporter) {
+  io::GridFile file{evaluate(surface, grid, reporter), grid_info(settings, points), {}};
+  say_field("values", file.field.values, reporter);
+  if (!settings.vector.wants_derivatives) return file;
+  file.more = derivatives_on(surface, points, file.info.units, grid, reporter);
+  for (const auto& more : file.more) say_field(more.name, more.values, reporter);
+  return file;
+}
+
+/// The grid's values, fitted and evaluated.
+io::GridFile fill(const Settings& settings, const Points& points,
+                  const Triangulated& triangulated, const interp::Grid& grid,
+                  Reporter& reporter) {
+  if (!settings.vector.is_wanted) {
+    const Surface surface = fit(points, triangulated, settings.surface, reporter);
+    return fill_scalar(settings, points, surface, grid, reporter);
+  }
+  const auto field = fit_vectors(points, triangulated, settings.surface, reporter);
+  io::GridFile file = vectors_on(field, settings.vector, points, grid, reporter);
+  file.info.title = settings.title;
+  if (!settings.units.empty()) {
+    file.info.units = file.more[0].units = settings.units;
+    for (std::size_t i = 1; i < file.more.size(); ++i)
+      file.more[i].units = settings.units + " km-1";
+  }
+  say_field(file.info.name, file.field.values, reporter);
+  for (const auto& more : file.more) say_field(more.name, more.values, reporter);
+  return file;
+}
+
+/// The same over a domain, no value reaching across its curves.
+void grid_domain(const Settings& settings, const std::string& format,
+                 Reporter& reporter) {
+  check_curved_method(settings.surface);
+  const CurvedData data = read_curved(settings.points, settings.constraints, reporter);
+  const Points& points = data.input.points;
+  check_dimension(settings, points, data.domain);
+  const interp::Grid grid = choose_grid(settings.grid, points, data.domain, reporter);
+  const Surface surface = fit(data, settings.surface, reporter);
+  const io::GridFile file = fill_scalar(settings, points, surface, grid, reporter);
+  write(settings, format, points, file, reporter);
+}
+
+ExitCode run(const Settings& settings, Reporter& reporter) {
+  check_vector(settings);
+  const std::string format = choose_format(settings);
+  check_output(settings.output.path, {settings.points.path, settings.constraints.path});
   if (!settings.map.path.empty()) {
     static_cast<void>(choose_map_format(settings.map));
-    check_output(settings.map.path, {settings.points.path});
+    check_output(settings.map.path, {settings.points.path, settings.constraints.path});
+  }
+  check_validation(settings);
+  if (has_segments(settings.points.path, settings.constraints)) {
+    grid_domain(settings, format, reporter);
+    return ExitCode::done;
   }
   const Points points = read_points(settings.points, reporter);
   const Triangulated triangulated = triangulate(points, reporter);
   check_dimension(settings, points, triangulated);
-  const interp::Grid grid = choose_grid(settings, points, triangulated, reporter);
-  const Surface surface = fit(points, triangulated, settings.surface, reporter);
-  const io::GridFile file{evaluate(surface, grid, reporter), grid_info(settings, points)};
-  say_field(file.field, reporter);
+  const interp::Grid grid = choose_grid(settings.grid, points, triangulated, reporter);
+  const io::GridFile file = fill(settings, points, triangulated, grid, reporter);
+  cross_validate(settings.validation, points, triangulated, settings.surface, reporter);
   write(settings, format, points, file, reporter);
   return ExitCode::done;
-}
-
-void add_grid_options(CLI::App& app, Settings& settings) {
-  const auto set_region = [&settings](const std::string& text) {
-    const auto n = parse_numbers("--region", text, 4, 4);
-    settings.region = interp::Region{n[0], n[1], n[2], n[3]};
-  };
-  const auto set_spacing = [&settings](const std::string& text) {
-    const auto n = parse_numbers("--spacing", text, 1, 2);
-    settings.spacing = interp::Spacing{n.front(), n.back()};
-  };
-  const auto set_size = [&settings](const std::string& text) {
-    const auto n = parse_counts("--size", text);
-    settings.counts = interp::NodeCounts{n[0], n[1]};
-  };
-  app.add_option_function<std::string>("--region", set_region,
-                                       "What to cover (default: the data)")
-      ->type_name("W/E/S/N");
-  auto* spacing = app.add_option_function<std::string>("--spacing", set_spacing,
-                                                       "Distance of the nodes")
-                      ->type_name("DX[/DY]");
-  app.add_option_function<std::string>("--size", set_size, "Number of nodes")
-      ->type_name("NX/NY")
-      ->excludes(spacing);
 }
 
 void add_picture_options(CLI::App& app, Settings& settings) {
@@ -252,8 +238,16 @@ Command add_grid_command(CLI::App& program) {
   CLI::App& app = *program.add_subcommand("grid", "Scattered values to a regular grid");
   const auto settings = std::make_shared<Settings>();
   add_point_options(app, settings->points, Values::needed);
-  add_grid_options(app, *settings);
+  add_vector_option(app, settings->points, settings->vector);
+  app.add_flag("--derivatives", settings->vector.wants_derivatives,
+               "First derivatives too, by x and y or towards east and north for each "
+               "kilometre, and of c1 second ones and the Laplacian; with --vector "
+               "divergence and curl (.nc, .csv)");
+  add_cross_validation_option(app, settings->validation);
+  add_grid_options(app, settings->grid);
   add_surface_options(app, settings->surface);
+  add_smooth_options(app, settings->points, settings->surface);
+  add_domain_options(app, settings->constraints);
   add_output_options(app, settings->output,
                      ".nc (NetCDF, CF), .csv, .asc (Esri), .png (a map)");
   add_picture_options(app, *settings);
@@ -261,7 +255,15 @@ Command add_grid_command(CLI::App& program) {
       "Nodes lie on multiples of the spacing; a global grid has its poles and does not "
       "repeat its first\n"
       "meridian. What no triangle encloses is missing unless --extrapolate is given.\n\n"
-      "Example:\n  delone grid geoid.csv --spacing 0.5 -o geoid.nc --map geoid.png");
+      "Segments (a .poly file in the place of POINTS, or --constraints) are coasts and "
+      "faults: only the\n"
+      "domain that they enclose is covered, and nothing is interpolated across them.\n\n"
+      "Example:\n  delone grid geoid.csv --spacing 0.5 -o geoid.nc --map geoid.png\n"
+      "  delone grid soundings.csv --constraints lake.geojson --method c1 -o depth.nc\n"
+      "  delone grid wells.csv --constraints faults.geojson --keep-outside -o top.nc\n"
+      "  delone grid geoid.csv --method c1 --derivatives -o geoid.nc --cross-validate "
+      "left_out.csv\n"
+      "  delone grid left_out.csv --value residual -o errors.nc --map errors.png");
   return {&app, [settings](Reporter& reporter) { return run(*settings, reporter); }};
 }
 

@@ -35,6 +35,11 @@ void say_columns(const Points& points, const Reporter& reporter) {
   const io::PointTable& table = points.table;
   std::string columns = fmt::format("x is '{}', y is '{}'", table.x_name, table.y_name);
   if (!table.value.empty()) columns += fmt::format(", value is '{}'", table.value_name);
+  if (points.has_errors)
+    columns += fmt::format(" with errors '{}'", table.second_value_name);
+  else if (!table.second_value.empty())
+    columns +=
+        fmt::format(" towards east and '{}' towards north", table.second_value_name);
   std::string dropped;
   if (table.num_missing > 0)
     dropped += fmt::format(", {} with missing values dropped", table.num_missing);
@@ -126,17 +131,18 @@ bool holds_mesh(const std::string& path) {
 
 Points read_points(const PointSettings& settings, Reporter& reporter) {
   if (settings.path.ends_with(".poly"))
-    throw Error(
-        settings.path +
-        ": segments are for `delone triangulate`, `check` and `plot`; give a .node file "
-        "or a table of points here");
+    throw Error(settings.path +
+                ": segments are for `delone triangulate`, `grid`, `sample`, `check` and "
+                "`plot`; give a .node file or a table of points here");
   const std::string format = io::file_format(settings.path);
   if (format == "geojson" || format == "json")
-    throw Error(settings.path +
-                ": GeoJSON is for --constraints of `delone triangulate` and `delone "
-                "check`; give a table of points here");
+    throw Error(
+        settings.path +
+        ": GeoJSON is for --constraints of `delone triangulate`, `grid`, `sample` "
+        "and `check`; give a table of points here");
   Points points{
       settings.path, {}, Domain::plane, settings.duplicates, holds_mesh(settings.path)};
+  points.has_errors = settings.has_errors;
   points.table = reporter.timed(Phase::read, [&] {
     return points.are_mesh_nodes ? nodes_of(settings, io::read_mesh(settings.path))
                                  : io::read_table(settings.path, settings.columns);

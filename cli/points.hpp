@@ -24,6 +24,7 @@ struct Points {
   Domain domain = Domain::plane;
   interp::Duplicates duplicates = interp::Duplicates::mean;
   bool are_mesh_nodes = false;  ///< rows are nodes, without lines
+  bool has_errors = false;      ///< table.second_value holds the errors of the values
 
   [[nodiscard]] std::int64_t size() const noexcept {
     return static_cast<std::int64_t>(table.x.size());

@@ -22,6 +22,7 @@
 #include "cli/signals.hpp"
 #include "cli/triangulate_command.hpp"
 #include "cli/voronoi_command.hpp"
+#include "cli/weights_command.hpp"
 
 namespace delone::cli {
 namespace {
@@ -32,7 +33,8 @@ std::vector<Command> add_commands(CLI::App& program) {
           add_hull_command(program),        add_locate_command(program),
           add_nearest_command(program),     add_check_command(program),
           add_info_command(program),        add_plot_command(program),
-          add_block_command(program)};
+          add_block_command(program),       add_weights_command(program),
+          add_apply_command(program)};
 }
 
 /// The subcommand asked for, with its options filled in.

@@ -31,6 +31,7 @@ struct PointSettings {
   interp::Duplicates duplicates = interp::Duplicates::mean;
   /// Points this near one another become one: data units, on the globe kilometres.
   std::optional<double> merge_within;
+  bool has_errors = false;  ///< columns.second_value is that of the values' errors
 };
 
 /// Where a result goes.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/smoothing.hpp"
+
 namespace delone::cli {
 namespace {
 
@@ -14,9 +16,14 @@ const std::vector<Choice<Method>> method_choices{{"linear", Method::linear},
                                                  {"natural-c1", Method::natural_c1},
                                                  {"idw", Method::idw},
                                                  {"shepard", Method::shepard},
-                                                 {"rbf", Method::rbf}};
+                                                 {"rbf", Method::rbf},
+                                                 {"smooth", Method::smooth}};
 const std::vector<Choice<interp::FitDegree>> degree_choices{
     {"3", interp::FitDegree::cubic}, {"4", interp::FitDegree::quartic}};
+const std::vector<Choice<interp::Gradients>> gradient_choices{
+    {"auto", interp::Gradients::automatic},
+    {"local", interp::Gradients::local},
+    {"global", interp::Gradients::global}};
 const std::vector<Choice<Outside>> outside_choices{{"nearest", Outside::nearest},
                                                    {"linear", Outside::linear}};
 
@@ -83,6 +90,7 @@ struct PlaneSurfaces {
   using InverseDistance = interp::PlaneInverseDistance;
   using Shepard = interp::PlaneShepard;
   using Radial = interp::PlaneRadial;
+  using Smooth = interp::PlaneSmooth;
 };
 struct SphereSurfaces {
   using Linear = interp::SphereLinear;
@@ -92,6 +100,7 @@ struct SphereSurfaces {
   using InverseDistance = interp::SphereInverseDistance;
   using Shepard = interp::SphereShepard;
   using Radial = interp::SphereRadial;
+  using Smooth = interp::SphereSmooth;
 };
 
 interp::C1Options c1_options(const interp::SurfaceOptions& common,
@@ -99,6 +108,7 @@ interp::C1Options c1_options(const interp::SurfaceOptions& common,
   interp::C1Options options;
   static_cast<interp::SurfaceOptions&>(options) = common;
   options.tension = settings.tension;
+  options.gradients = settings.gradients;
   options.degree = settings.degree;
   options.bounds = settings.is_bounded ? interp::Bounds::local : interp::Bounds::widened;
   return options;
@@ -116,12 +126,20 @@ interp::NaturalOptions natural_options(const interp::SurfaceOptions& common,
   return options;
 }
 
-void say_fit(const interp::C1Fit& fit, const Reporter& reporter) {
+/// What was left open and how it was chosen.
+void say_fit(const interp::C1Fit& fit, const SurfaceSettings& settings,
+             const Reporter& reporter) {
   if (fit.num_tested == 0) return;
+  std::vector<std::string> chosen;
+  if (settings.gradients == interp::Gradients::automatic) {
+    chosen.emplace_back(fit.gradients == interp::Gradients::global ? "global gradients"
+                                                                   : "local gradients");
+  }
+  if (!settings.tension) chosen.push_back(fmt::format("tension {:.2g}", fit.tension));
   reporter.say(
-      "c1: tension {:.2g}, chosen by leaving out {} points: RMS error {:.4g} (linear "
-      "{:.4g})",
-      fit.tension, fit.num_tested, fit.left_out_rms, fit.linear_left_out_rms);
+      "c1: {}, chosen by leaving out {} points: RMS error {:.4g} (linear {:.4g})",
+      fmt::join(chosen, " and "), fit.num_tested, fit.left_out_rms,
+      fit.linear_left_out_rms);
 }
 
 /// The method's surface over a triangulation of either kind.
@@ -137,7 +155,7 @@ Surface fit_method(const auto& triangulation, const Points& points,
     case Method::c1: {
       typename Surfaces::C1 surface(triangulation, values, c1_options(options, settings),
                                     run);
-      say_fit(surface.fit(), reporter);
+      say_fit(surface.fit(), settings, reporter);
       return surface;
     }
     case Method::natural:
@@ -150,6 +168,12 @@ Surface fit_method(const auto& triangulation, const Points& points,
       return typename Surfaces::Shepard(triangulation, values, {}, options, run);
     case Method::rbf:
       return typename Surfaces::Radial(triangulation, values, {}, options, run);
+    case Method::smooth: {
+      typename Surfaces::Smooth surface(
+          triangulation, values, smooth_options(points, options, settings.smooth), run);
+      say_smoothing(surface.fit(), points, settings.smooth, reporter);
+      return surface;
+    }
     case Method::linear:
       break;
   }
@@ -162,12 +186,6 @@ Surface fit_domain(const Points& points, const Triangulated& triangulated,
     return fit_method<PlaneSurfaces>(*plane, points, settings, reporter);
   return fit_method<SphereSurfaces>(std::get<GlobeTriangulation>(triangulated), points,
                                     settings, reporter);
-}
-
-std::string_view name_of(Method method) {
-  for (const auto& [word, meaning] : method_choices)
-    if (meaning == method) return word;
-  return {};
 }
 
 void check_extrapolation(const Points& points, const SurfaceSettings& settings) {
@@ -188,19 +206,27 @@ void check_extrapolation(const Points& points, const SurfaceSettings& settings) 
 void check_c1_options(const SurfaceSettings& settings) {
   if (settings.method == Method::c1) return;
   if (settings.tension || settings.is_bounded ||
+      settings.gradients != interp::Gradients::automatic ||
       settings.degree != interp::FitDegree::cubic) {
     throw UsageError(
-        fmt::format("--tension, --bounded and --fit-degree are for --method c1, not {}",
+        fmt::format("--gradients, --tension, --bounded and --fit-degree are for --method "
+                    "c1, not {}",
                     name_of(settings.method)));
   }
 }
 
 }  // namespace
 
+std::string_view name_of(Method method) {
+  for (const auto& [word, meaning] : method_choices)
+    if (meaning == method) return word;
+  return {};
+}
+
 void add_surface_options(CLI::App& app, SurfaceSettings& settings) {
   add_choice<Method>(app, "--method", settings.method, method_choices,
                      "linear (default), nearest, c1 (smooth), natural, natural-c1, idw, "
-                     "shepard or rbf");
+                     "shepard, rbf or smooth (near noisy data, not through them)");
   add_choice<Outside>(
       app, "--extrapolate", settings.outside, outside_choices,
       "Outside the points: nearest or, on the plane, linear: the surface's own "
@@ -215,6 +241,11 @@ void add_surface_options(CLI::App& app, SurfaceSettings& settings) {
          "Missing where every point is farther: kilometres, on the plane the "
          "unit of x and y")
       ->type_name("D");
+  add_choice<interp::Gradients>(
+      app, "--gradients", settings.gradients, gradient_choices,
+      "c1: at the nodes, fitted to the values around each (local), or of least curvature "
+      "of all together (global); auto (default): whichever predicts left-out points "
+      "better");
   const auto set_tension = [&settings](const double& tension) {
     if (!(tension >= 0 && tension <= 1))
       throw UsageError("--tension takes a number from 0 (smooth) to 1 (next to linear)");
@@ -231,10 +262,19 @@ void add_surface_options(CLI::App& app, SurfaceSettings& settings) {
                                 "c1: 3 (default) or, for smooth data, 4");
 }
 
+GlobeOptions globe_options(const Points& points, const SurfaceSettings& settings) {
+  check_extrapolation(points, settings);
+  check_c1_options(settings);
+  check_smooth_options(points, settings);
+  const interp::SurfaceOptions common = surface_options(points, settings);
+  return {common, c1_options(common, settings), natural_options(common, settings.method)};
+}
+
 Surface fit(const Points& points, const Triangulated& triangulated,
             const SurfaceSettings& settings, Reporter& reporter) {
   check_extrapolation(points, settings);
   check_c1_options(settings);
+  check_smooth_options(points, settings);
   return reporter.timed(Phase::fit, [&] {
     return blaming(points,
                    [&] { return fit_domain(points, triangulated, settings, reporter); });

@@ -11,12 +11,14 @@
 #include "cli/options.hpp"
 #include "cli/points.hpp"
 #include "interp/c1_surface.hpp"
+#include "interp/constrained_surface.hpp"
 #include "interp/idw_surface.hpp"
 #include "interp/linear_surface.hpp"
 #include "interp/natural_surface.hpp"
 #include "interp/nearest_surface.hpp"
 #include "interp/rbf_surface.hpp"
 #include "interp/shepard_surface.hpp"
+#include "interp/smooth_surface.hpp"
 
 namespace delone::cli {
 
@@ -29,7 +31,18 @@ enum class Method : std::uint8_t {
   natural_c1,
   idw,
   shepard,
-  rbf
+  rbf,
+  smooth
+};
+
+/// The word that --method takes.
+[[nodiscard]] std::string_view name_of(Method method);
+
+/// What --smooth says.
+struct SmoothSettings {
+  interp::SmoothBy by = interp::SmoothBy::cross_validation;
+  double length = 0;  ///< on the globe kilometres
+  bool is_given = false;
 };
 
 struct SurfaceSettings {
@@ -38,13 +51,25 @@ struct SurfaceSettings {
   double max_distance = std::numeric_limits<double>::infinity();
   // For c1.
   std::optional<double> tension;  ///< empty: chosen by leave-one-out errors
+  interp::Gradients gradients = interp::Gradients::automatic;
   bool is_bounded = false;
   interp::FitDegree degree = interp::FitDegree::cubic;
+  SmoothSettings smooth;
 };
 
-/// --method, --extrapolate, --max-distance, and what c1 takes: --tension, --bounded,
-/// --fit-degree.
+/// --method, --extrapolate, --max-distance, and what c1 takes: --gradients, --tension,
+/// --bounded, --fit-degree.
 void add_surface_options(CLI::App& app, SurfaceSettings& settings);
+
+/// What the surfaces on the globe take.
+struct GlobeOptions {
+  interp::SurfaceOptions common;
+  interp::C1Options c1;
+  interp::NaturalOptions natural;
+};
+/// Throws UsageError if the domain or the method does not have what was asked for.
+[[nodiscard]] GlobeOptions globe_options(const Points& points,
+                                         const SurfaceSettings& settings);
 
 /// An interpolant over points, whatever they lie on.
 using Surface =
@@ -52,7 +77,8 @@ using Surface =
                  interp::PlaneNatural, interp::PlaneInverseDistance, interp::PlaneShepard,
                  interp::PlaneRadial, interp::SphereLinear, interp::SphereNearest,
                  interp::SphereC1, interp::SphereNatural, interp::SphereInverseDistance,
-                 interp::SphereShepard, interp::SphereRadial>;
+                 interp::SphereShepard, interp::SphereRadial, interp::PlaneConstrained,
+                 interp::SphereConstrained, interp::PlaneSmooth, interp::SphereSmooth>;
 
 /// Fits the surface, and says how where there was a choice. Throws UsageError if the
 /// domain or the method does not have what was asked for, Error naming file and line for

@@ -80,21 +80,22 @@ INSTANTIATE_TEST_SUITE_P(All, Methods, testing::ValuesIn(methods),
                            return name;
                          });
 
-TEST(C1Method, SaysWhatTensionItChose) {
+TEST(C1Method, SaysWhatItChose) {
   const Folder folder;
   const std::string points = folder.write("p.csv", smooth_csv("x,y,z", 2));
   const Outcome outcome = run({"grid", points, "-o", folder / "g.csv", "--method", "c1"});
   expect_success(outcome);
-  EXPECT_NE(outcome.err.find("c1: tension 0, chosen by leaving out"), std::string::npos)
+  EXPECT_NE(outcome.err.find("c1: local gradients and tension 0, chosen by leaving out"),
+            std::string::npos)
       << outcome.err;
 }
 
 TEST(C1Method, TakesTensionBoundsAndDegree) {
   const Folder folder;
   const std::string points = folder.write("p.csv", smooth_csv("x,y,z", 2));
-  const Outcome outcome =
-      run({"grid", points, "-o", folder / "g.csv", "--method", "c1", "--tension", "0.5",
-           "--bounded", "--fit-degree", "4", "--extrapolate", "linear"});
+  const Outcome outcome = run({"grid", points, "-o", folder / "g.csv", "--method", "c1",
+                               "--tension", "0.5", "--bounded", "--fit-degree", "4",
+                               "--extrapolate", "linear", "--gradients", "global"});
   expect_success(outcome);
   EXPECT_EQ(outcome.err.find("chosen by"), std::string::npos);
   EXPECT_NE(outcome.err.find(", 0 of "), std::string::npos) << outcome.err;
