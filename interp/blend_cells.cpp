@@ -91,16 +91,11 @@ Stiffness BlendCells<Space, Degree>::choose(std::span<const Vector> site_gradien
                                             const C1Options& options,
                                             const BlendFitOptions& fit,
                                             const RunOptions& run) {
-  Stiffness given = fit.stiffness;
-  given.tension = options.tension.value_or(0);
-  BlendCandidates<Space> candidates{stiffness_levels, options.gradients, site_gradients};
-  if (options.tension) candidates.stiffness = {&given, 1};
-  if (!site_gradients.empty()) candidates.gradients = Gradients::given;
-  BlendChoice choice{given, candidates.gradients};
-  if (!options.tension || candidates.gradients == Gradients::automatic) {
-    choice = choose_blend<Space, Degree>(space_, triangulation(), linear_.site_values(),
-                                         candidates, fit, run);
-  }
+  const BlendChoice choice =
+      site_gradients.empty()
+          ? choose_blend<Space, Degree>(space_, triangulation(), linear_.site_values(),
+                                        options, fit, run)
+          : BlendChoice{stiffness_of(options.tension.value_or(0)), Gradients::given};
   fit_ = {choice.stiffness.tension, choice.gradients, choice.num_tested, choice.rms,
           choice.linear_rms};
   return choice.stiffness;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "delaunay/parallel.hpp"
@@ -22,6 +23,12 @@ constexpr double most_loss = 1.01;
 
 double square(double a) { return a * a; }
 
+// What counts of an error: more than its size, so that surfaces that miss by much lose,
+// less than its square, in which one node would outweigh all others where data are wrong.
+double weighed(double error) { return error * std::sqrt(error); }
+// Back, but for a factor.
+double mean_error(double sum) { return square(std::cbrt(sum)); }
+
 /// Errors at one node that was left out, by stiffness.
 struct LeftOut {
   bool is_tested = false;
@@ -35,8 +42,8 @@ class LeaveOneOut {
   using Triangulation = typename Space::Triangulation;
   using Vector = typename Space::Vector;
   LeaveOneOut(const Space& space, const Triangulation& triangulation,
-              std::span<const double> site_values,
-              const BlendCandidates<Space>& candidates, const BlendFitOptions& options)
+              std::span<const double> site_values, const BlendCandidates& candidates,
+              const BlendFitOptions& options)
       : space_(space),
         triangulation_(&triangulation),
         site_values_(site_values),
@@ -90,10 +97,7 @@ class LeaveOneOut {
   [[nodiscard]] std::array<std::optional<Vector>, 3> gradients_without(
       Site left_out, std::span<const Site> corners) const {
     std::array<std::optional<Vector>, 3> gradients;
-    if (candidates_.gradients == Gradients::given) {
-      for (std::size_t k = 0; k < corners.size(); ++k)
-        gradients[k] = known_gradient<Space>(candidates_.site_gradients, corners[k]);
-    } else if (candidates_.gradients == Gradients::global) {
+    if (candidates_.gradients == Gradients::global) {
       const auto found = least_curvature_gradients_without(left_out, corners, space_,
                                                            *triangulation_, site_values_);
       std::copy(found.begin(), found.end(), gradients.begin());
@@ -143,14 +147,14 @@ class LeaveOneOut {
   Space space_;
   const Triangulation* triangulation_;
   std::span<const double> site_values_;
-  BlendCandidates<Space> candidates_;
+  BlendCandidates candidates_;
   BlendFitOptions options_;
 };
 
 /// The errors of all nodes left out, for one kind of gradients.
 struct Prediction {
   std::size_t level = 0;  ///< the best stiffness
-  double score = 0;       ///< sum of its errors, and of those of the linear surface
+  double score = 0;       ///< its mean_error, and that of the linear surface
   double linear_score = 0;
   std::int64_t num_tested = 0;
   double rms = 0, linear_rms = 0;
@@ -161,18 +165,17 @@ struct Prediction {
 // small sets, where they predict clearly better than the linear one: what is stiffer or
 // more local must predict better by this factor to be taken.
 double handicap(double error, const Prediction& linear) {
-  constexpr double smooth = 0.4, rough = 0.95, most = 0.2, small_set = 100;
+  constexpr double smooth = 0.4, rough = 0.95, most = 0.2, few_tests = 100;
   if (!(linear.linear_score > 0)) return 1;
   const double smoothness =
       std::clamp((rough - error / linear.linear_score) / (rough - smooth), 0.0, 1.0);
   const double smallness =
-      std::min(1.0, small_set / static_cast<double>(linear.num_tested));
+      std::min(1.0, few_tests / static_cast<double>(linear.num_tested));
   return 1 + most * smoothness * smallness;
 }
 
-// Compared by mean absolute errors: where data are wrong no surface predicts, and one
-// such node would outweigh all others in a mean square. But with all nodes a surface must
-// not be worse than the linear one in the mean square, as long as any is not.
+// In the mean square a surface must not be worse than the linear one, as long as any is
+// not.
 Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
   Prediction result;
   std::array<double, num_stiffness_levels> squares{}, scores{};
@@ -181,20 +184,22 @@ Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
     if (!test.is_tested) continue;
     ++result.num_tested;
     linear_squares += square(test.linear);
-    result.linear_score += test.linear;
+    result.linear_score += weighed(test.linear);
     for (std::size_t k = 0; k < num_levels; ++k) {
       squares[k] += square(test.errors[k]);
-      scores[k] += test.errors[k];
+      scores[k] += weighed(test.errors[k]);
     }
   }
-  std::array<double, num_stiffness_levels> weighed{};
+  result.linear_score = mean_error(result.linear_score);
+  for (double& score : scores) score = mean_error(score);
+  std::array<double, num_stiffness_levels> handicapped{};
   for (std::size_t k = 0; k < num_levels; ++k) {
     if (squares[k] > square(most_loss) * linear_squares) scores[k] *= 0x1p100;
-    weighed[k] = k > 0 ? scores[k] * handicap(scores[0], result) : scores[k];
+    handicapped[k] = k > 0 ? scores[k] * handicap(scores[0], result) : scores[k];
   }
-  const auto last = weighed.begin() + static_cast<std::ptrdiff_t>(num_levels);
-  result.level =
-      static_cast<std::size_t>(std::min_element(weighed.begin(), last) - weighed.begin());
+  const auto last = handicapped.begin() + static_cast<std::ptrdiff_t>(num_levels);
+  result.level = static_cast<std::size_t>(std::min_element(handicapped.begin(), last) -
+                                          handicapped.begin());
   const double count = std::max(1.0, static_cast<double>(result.num_tested));
   result.score = scores[result.level];
   result.rms = std::sqrt(squares[result.level] / count);
@@ -204,8 +209,7 @@ Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
 
 template <BlendSpace Space, int Degree>
 Prediction predict(const Space& space, const typename Space::Triangulation& triangulation,
-                   std::span<const double> site_values,
-                   const BlendCandidates<Space>& candidates,
+                   std::span<const double> site_values, const BlendCandidates& candidates,
                    const BlendFitOptions& options, const RunOptions& run) {
   const Site num_sites = triangulation.num_sites(),
              num_tested = std::min(num_sites, most_tested);
@@ -231,20 +235,19 @@ template <BlendSpace Space, int Degree>
 BlendChoice choose_blend(const Space& space,
                          const typename Space::Triangulation& triangulation,
                          std::span<const double> site_values,
-                         const BlendCandidates<Space>& candidates,
+                         const BlendCandidates& candidates,
                          const BlendFitOptions& options, const RunOptions& run) {
-  constexpr double well_predicted = 0.1;  // of the linear surface's errors
-  const auto prediction = [&](Gradients gradients) {
-    BlendCandidates<Space> of_kind = candidates;
-    of_kind.gradients = gradients;
-    return predict<Space, Degree>(space, triangulation, site_values, of_kind, options,
+  constexpr double well_predicted = 0.2;  // of the linear surface's errors
+  const auto prediction = [&](const BlendCandidates& of_one_kind) {
+    return predict<Space, Degree>(space, triangulation, site_values, of_one_kind, options,
                                   run);
   };
-  const bool is_open = candidates.gradients == Gradients::automatic;
-  Gradients gradients = is_open ? Gradients::local : candidates.gradients;
-  Prediction best = prediction(gradients);
-  if (is_open && best.rms > well_predicted * best.linear_rms) {
-    const Prediction global = prediction(Gradients::global);
+  Gradients gradients = Gradients::local;
+  Prediction best = prediction({candidates.stiffness, gradients});
+  if (candidates.gradients == Gradients::automatic &&
+      best.rms > well_predicted * best.linear_rms) {
+    const Prediction global =
+        prediction({candidates.stiffness.first(1), Gradients::global});
     const double most = handicap(global.score, global);
     if (global.score < most * best.score && global.rms < most * best.rms) {
       best = global;
@@ -255,17 +258,49 @@ BlendChoice choose_blend(const Space& space,
           best.linear_rms};
 }
 
+template <BlendSpace Space, int Degree>
+BlendChoice choose_blend(const Space& space,
+                         const typename Space::Triangulation& triangulation,
+                         std::span<const double> site_values, const C1Options& options,
+                         const BlendFitOptions& fit, const RunOptions& run) {
+  const std::array given{options.tension ? stiffness_of(*options.tension)
+                                         : stiffness_levels.front()};
+  const bool is_tension_open = !options.tension && options.gradients != Gradients::global;
+  if (!is_tension_open && options.gradients != Gradients::automatic)
+    return {given[0], options.gradients};
+  BlendCandidates candidates{given, options.gradients};
+  if (is_tension_open) candidates.stiffness = stiffness_levels;
+  return choose_blend<Space, Degree>(space, triangulation, site_values, candidates, fit,
+                                     run);
+}
+
 template BlendChoice choose_blend<PlaneSpace, 3>(
     const PlaneSpace&, const PlaneSpace::Triangulation&, std::span<const double>,
-    const BlendCandidates<PlaneSpace>&, const BlendFitOptions&, const RunOptions&);
+    const BlendCandidates&, const BlendFitOptions&, const RunOptions&);
+template BlendChoice choose_blend<PlaneSpace, 3>(const PlaneSpace&,
+                                                 const PlaneSpace::Triangulation&,
+                                                 std::span<const double>,
+                                                 const C1Options&, const BlendFitOptions&,
+                                                 const RunOptions&);
 template BlendChoice choose_blend<PlaneSpace, 4>(
     const PlaneSpace&, const PlaneSpace::Triangulation&, std::span<const double>,
-    const BlendCandidates<PlaneSpace>&, const BlendFitOptions&, const RunOptions&);
+    const BlendCandidates&, const BlendFitOptions&, const RunOptions&);
+template BlendChoice choose_blend<PlaneSpace, 4>(const PlaneSpace&,
+                                                 const PlaneSpace::Triangulation&,
+                                                 std::span<const double>,
+                                                 const C1Options&, const BlendFitOptions&,
+                                                 const RunOptions&);
 template BlendChoice choose_blend<SphereSpace, 3>(
     const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
-    const BlendCandidates<SphereSpace>&, const BlendFitOptions&, const RunOptions&);
+    const BlendCandidates&, const BlendFitOptions&, const RunOptions&);
+template BlendChoice choose_blend<SphereSpace, 3>(
+    const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
+    const C1Options&, const BlendFitOptions&, const RunOptions&);
 template BlendChoice choose_blend<SphereSpace, 4>(
     const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
-    const BlendCandidates<SphereSpace>&, const BlendFitOptions&, const RunOptions&);
+    const BlendCandidates&, const BlendFitOptions&, const RunOptions&);
+template BlendChoice choose_blend<SphereSpace, 4>(
+    const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
+    const C1Options&, const BlendFitOptions&, const RunOptions&);
 
 }  // namespace delone::interp

@@ -45,6 +45,14 @@ template <class S>
           SecondOrder(tension * (0.5 * slope / bend)));
 }
 
+/// The part of the linear interpolant where `inner` (0 at the rim, 1 in the middle) is
+/// squared so: 0 and flat at the rim, next to the tension in the middle.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S linear_part(const S& squared,
+                                                       double tension) noexcept {
+  return tension * (squared / (squared + S((1 - tension) * (1 - tension))));
+}
+
 /// 0 .. 1; beyond the ends constant.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline S kept_between_ends(const S& t) noexcept {
@@ -116,7 +124,7 @@ template <BlendSpace Space, int Degree>
 /// to one, however thin the triangle: the surface stays within what its polynomials are
 /// kept in, up to the humps. Edges' humps make the surface along an edge the Hermite
 /// curve of its ends. Tension lets the linear interpolant in, by a weight that is flat at
-/// the edges.
+/// the edges, and along edges the line between the ends, by one that is flat there.
 template <BlendSpace Space, int Degree>
 class BlendFacet {
  public:
@@ -151,7 +159,6 @@ class BlendFacet {
       along_[k] = scaled(along, 1 / squared);
       edge_tension_[k] = 0.5 * (models_[k].tension + models_[next].tension);
     }
-    slack_ = (1 - tension_) * (1 - tension_);
   }
 
   /// At a (scaled) point of the closed triangle.
@@ -281,8 +288,19 @@ class BlendFacet {
         kept_between_ends(Space::dot(along_[k], Space::difference(p, points_[k])));
     const S step = edge_step(t, edge_tension_[k]), s = t - S(0.5), u = t - t * t;
     const EdgeHump& h = humps_[k];
-    return rises[k] + step * (rises[next] - rises[k]) +
-           u * u * (S(h.a) + s * (S(h.b) + h.c * s));
+    const S curve = rises[k] + step * (rises[next] - rises[k]) +
+                    u * u * (S(h.a) + s * (S(h.b) + h.c * s));
+    return tightened<S>(curve, S(base_[k]) + (base_[next] - base_[k]) * t, u,
+                        edge_tension_[k]);
+  }
+
+  // Nearer to the line between the ends, by tension, but as it is near the ends.
+  template <class S>
+  [[nodiscard, gnu::always_inline]] static S tightened(const S& curve, const S& line,
+                                                       const S& u,
+                                                       double tension) noexcept {
+    if (tension == 0) return curve;
+    return curve + linear_part(16.0 * (u * u), tension) * (line - curve);
   }
 
   // The same above the rise of corner c. Derivatives of the edges' weights grow like one
@@ -301,8 +319,11 @@ class BlendFacet {
                       step = edge_step_near_start(c == k ? t : back, edge_tension_[k]),
                       s = t - SecondOrder(0.5), u = t * back;
     const EdgeHump& h = humps_[k];
-    return step * (rises[c == k ? next : k] - rises[c]) +
-           u * u * (SecondOrder(h.a) + s * (SecondOrder(h.b) + h.c * s));
+    const SecondOrder curve =
+        step * (rises[c == k ? next : k] - rises[c]) +
+        u * u * (SecondOrder(h.a) + s * (SecondOrder(h.b) + h.c * s));
+    const SecondOrder line = SecondOrder(base_[k]) + (base_[next] - base_[k]) * t;
+    return tightened(curve, line - rises[c], u, edge_tension_[k]);
   }
 
   template <class S>
@@ -332,7 +353,7 @@ class BlendFacet {
     if (tension_ == 0) return sum;
     const S linear = base_[1] * b[1] + base_[2] * b[2];
     const S inner = 27.0 * (b[0] * b[1] * b[2]), squared = inner * inner;
-    const S part = tension_ * (squared / (squared + S(slack_)));
+    const S part = linear_part(squared, tension_);
     return sum + part * (linear - sum);
   }
 
@@ -358,7 +379,7 @@ class BlendFacet {
   std::array<double, 3> base_{}, edge_tension_{};
   std::array<EdgeHump, 3> humps_;
   decltype(barycentric(Space{}, Vector{}, Vector{}, Vector{})) barycentric_;
-  double tension_ = 0, slack_ = 1;
+  double tension_ = 0;
   bool is_thin_;
 };
 

@@ -21,6 +21,12 @@ struct Stiffness {
   double doubt = 0.2;  ///< how much a degree must predict better than the one below it
   double tension = 0;  ///< of every node; what the data ask for comes on top
 };
+/// A tension that is given, 0 .. 1.
+[[nodiscard]] constexpr Stiffness stiffness_of(double tension) noexcept {
+  Stiffness stiffness;
+  stiffness.tension = tension;
+  return stiffness;
+}
 inline constexpr std::size_t num_stiffness_levels = 5;
 inline constexpr std::array<Stiffness, num_stiffness_levels> stiffness_levels{
     Stiffness{0.1, 0}, Stiffness{-0.3, 0.4}, Stiffness{0.1, 0.6}, Stiffness{0.3, 0.8},

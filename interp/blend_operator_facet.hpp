@@ -36,13 +36,12 @@ class BlendWeights {
     }
     const double total = edges[0] + edges[1] + edges[2];
     if (!(total > 0)) return at_corner(b);
-    const double inner = 27.0 * (b[0] * b[1] * b[2]), squared = inner * inner,
-                 slack = (1 - tension_) * (1 - tension_),
-                 linear = tension_ == 0 ? 0 : tension_ * (squared / (squared + slack));
+    const double inner = 27.0 * (b[0] * b[1] * b[2]),
+                 linear = tension_ == 0 ? 0 : linear_part(inner * inner, tension_);
     BlendShares shares;
     for (std::size_t k = 0; k < 3; ++k) {
       add_edge(shares, k, p, (1 - linear) * edges[k] / total);
-      shares.values[k] = linear * b[k];
+      shares.values[k] += linear * b[k];
     }
     return shares;
   }
@@ -75,8 +74,12 @@ class BlendWeights {
                  place = Space::dot(scaled(chord, 1 / squared),
                                     Space::difference(p, points_[k])),
                  t = kept_between_ends(place),
-                 step = edge_step(t, 0.5 * (tensions_[k] + tensions_[next])), s = t - 0.5,
-                 u = t - t * t;
+                 tension = 0.5 * (tensions_[k] + tensions_[next]),
+                 step = edge_step(t, tension), s = t - 0.5, u = t - t * t,
+                 linear = tension == 0 ? 0 : part * linear_part(16 * (u * u), tension);
+    shares.values[k] += linear * (1 - t);
+    shares.values[next] += linear * t;
+    part -= linear;
     shares.polynomials[k] += part * (1 - step);
     shares.polynomials[next] += part * step;
     shares.humps[k] = {part * (u * u), part * (u * u) * s, part * (u * u) * (s * s)};

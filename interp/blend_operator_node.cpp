@@ -272,12 +272,9 @@ std::shared_ptr<const C1Choices> all_choices(const Space& space,
 }
 
 /// The stiffness that a surface chose, known by its tension.
-Stiffness stiffness_of(const C1Options& options, const C1Fit& fit) {
+Stiffness stiffness_taken(const C1Options& options, const C1Fit& fit) {
+  if (options.tension) return stiffness_of(*options.tension);
   Stiffness stiffness;
-  if (options.tension) {
-    stiffness.tension = *options.tension;
-    return stiffness;
-  }
   for (std::size_t level = 0; level < num_stiffness_levels; ++level)
     if (stiffness_levels[level].tension == fit.tension)
       stiffness = stiffness_levels[level];
@@ -291,7 +288,7 @@ std::shared_ptr<const C1Choices> choices_of(
   options.choices = {};
   options.gradients = Gradients::local;
   const Stiffness stiffness =
-      stiffness_of(options, Surface(t, row_values, options, run).fit());
+      stiffness_taken(options, Surface(t, row_values, options, run).fit());
   const std::vector<double> values =
       values_at_sites(t->sites(), t->num_sites(), row_values, options.duplicates);
   return std::make_shared<const C1Choices>(C1Choices{

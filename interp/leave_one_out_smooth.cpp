@@ -55,15 +55,10 @@ KeptChoices choices_of(const Space& space, const typename Space::Triangulation& 
                        const RunOptions& run) {
   KeptChoices kept{{}, options.gradients};
   kept.fit.bounds = options.bounds;
-  kept.fit.stiffness.tension = options.tension.value_or(0);
-  if (options.tension && options.gradients != Gradients::automatic) return kept;
   const auto [least, most] = std::ranges::minmax_element(site_values);
   kept.fit.range = {*least, *most};
-  const Stiffness given = kept.fit.stiffness;
-  BlendCandidates<Space> candidates{stiffness_levels, options.gradients, {}};
-  if (options.tension) candidates.stiffness = {&given, 1};
   const BlendChoice choice =
-      choose_blend<Space, Degree>(space, t, site_values, candidates, kept.fit, run);
+      choose_blend<Space, Degree>(space, t, site_values, options, kept.fit, run);
   kept.fit.stiffness = choice.stiffness;
   kept.gradients = choice.gradients;
   return kept;
