@@ -151,10 +151,23 @@ class LeaveOneOut {
   BlendFitOptions options_;
 };
 
+/// The error of the linear surface that one node in fifty exceeds.
+double rarely_exceeded(const std::vector<LeftOut>& tests) {
+  constexpr std::size_t one_in = 50;
+  std::vector<double> errors;
+  for (const LeftOut& test : tests)
+    if (test.is_tested) errors.push_back(test.linear);
+  if (errors.empty()) return 0;
+  const auto last =
+      errors.end() - 1 - static_cast<std::ptrdiff_t>(errors.size() / one_in);
+  std::nth_element(errors.begin(), last, errors.end());
+  return *last;
+}
+
 /// The errors of all nodes left out, for one kind of gradients.
 struct Prediction {
   std::size_t level = 0;  ///< the best stiffness
-  double score = 0;       ///< its mean_error, and that of the linear surface
+  double score = 0;       ///< its mean_error without the rarest errors
   double linear_score = 0;
   std::int64_t num_tested = 0;
   double rms = 0, linear_rms = 0;
@@ -178,7 +191,8 @@ double handicap(double error, const Prediction& linear) {
 // not.
 Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
   Prediction result;
-  std::array<double, num_stiffness_levels> squares{}, scores{};
+  const double limit = rarely_exceeded(tests);
+  std::array<double, num_stiffness_levels> squares{}, scores{}, usual_scores{};
   double linear_squares = 0;
   for (const LeftOut& test : tests) {
     if (!test.is_tested) continue;
@@ -188,6 +202,7 @@ Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
     for (std::size_t k = 0; k < num_levels; ++k) {
       squares[k] += square(test.errors[k]);
       scores[k] += weighed(test.errors[k]);
+      if (test.linear <= limit) usual_scores[k] += weighed(test.errors[k]);
     }
   }
   result.linear_score = mean_error(result.linear_score);
@@ -201,7 +216,7 @@ Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
   result.level = static_cast<std::size_t>(std::min_element(handicapped.begin(), last) -
                                           handicapped.begin());
   const double count = std::max(1.0, static_cast<double>(result.num_tested));
-  result.score = scores[result.level];
+  result.score = mean_error(usual_scores[result.level]);
   result.rms = std::sqrt(squares[result.level] / count);
   result.linear_rms = std::sqrt(linear_squares / count);
   return result;
@@ -246,6 +261,8 @@ BlendChoice choose_blend(const Space& space,
   Prediction best = prediction({candidates.stiffness, gradients});
   if (candidates.gradients == Gradients::automatic &&
       best.rms > well_predicted * best.linear_rms) {
+    // At the hull, and where data are wrong, neither predicts: some such nodes would
+    // outweigh all others.
     const Prediction global =
         prediction({candidates.stiffness.first(1), Gradients::global});
     const double most = handicap(global.score, global);

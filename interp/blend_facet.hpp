@@ -294,13 +294,14 @@ class BlendFacet {
                         edge_tension_[k]);
   }
 
-  // Nearer to the line between the ends, by tension, but as it is near the ends.
+  // Nearer to the line between the ends, but as it is near the ends. By the square of the
+  // tension: what little tension nodes have by themselves must not cost accuracy.
   template <class S>
   [[nodiscard, gnu::always_inline]] static S tightened(const S& curve, const S& line,
                                                        const S& u,
                                                        double tension) noexcept {
     if (tension == 0) return curve;
-    return curve + linear_part(16.0 * (u * u), tension) * (line - curve);
+    return curve + linear_part(16.0 * (u * u), tension * tension) * (line - curve);
   }
 
   // The same above the rise of corner c. Derivatives of the edges' weights grow like one

@@ -76,7 +76,9 @@ class BlendWeights {
                  t = kept_between_ends(place),
                  tension = 0.5 * (tensions_[k] + tensions_[next]),
                  step = edge_step(t, tension), s = t - 0.5, u = t - t * t,
-                 linear = tension == 0 ? 0 : part * linear_part(16 * (u * u), tension);
+                 linear = tension == 0
+                              ? 0
+                              : part * linear_part(16 * (u * u), tension * tension);
     shares.values[k] += linear * (1 - t);
     shares.values[next] += linear * t;
     part -= linear;
