@@ -138,6 +138,7 @@ class StencilGatherer {
 
   // Squared, of the nearest so many; infinite if there are fewer.
   [[nodiscard]] double distance_of_nearest(std::size_t count) {
+    if (count == 0) return 0;
     if (nodes_.size() < count) return std::numeric_limits<double>::infinity();
     distances_.clear();
     for (const StencilNode& n : nodes_) distances_.push_back(n.squared_distance);
