@@ -213,9 +213,11 @@ MatrixXd completed_inverse(const MatrixXd& columns, const MatrixXd& touched) {
   const Index own = columns.cols(), rest = touched.rows();
   if (own == 0) return touched;
   const auto top = columns.topRows(own).triangularView<Eigen::Lower>();
-  MatrixXd ratio = columns.bottomRows(rest), root = MatrixXd::Identity(own, own);
-  top.solveInPlace<Eigen::OnTheRight>(ratio);
+  MatrixXd root = MatrixXd::Identity(own, own);
   top.solveInPlace(root);
+  if (rest == 0) return root.transpose() * root;
+  MatrixXd ratio = columns.bottomRows(rest);
+  top.solveInPlace<Eigen::OnTheRight>(ratio);
   MatrixXd inverse(own + rest, own + rest);
   inverse.bottomRightCorner(rest, rest) = touched;
   inverse.bottomLeftCorner(rest, own).noalias() = -touched * ratio;
