@@ -76,19 +76,17 @@ BlendFitOptions BarrierBlendCells<Space, Degree>::part_options(
   }
   const auto [least, most] = std::ranges::minmax_element(values);
   fit.range = {*least, *most};
-  fit.stiffness = stiffness_levels.front();
-  if (blend.tension) {
-    fit.stiffness = stiffness_of(*blend.tension);
-    return fit;
-  }
+  fit.stiffness = blend.tension ? stiffness_of(*blend.tension) : stiffness_levels.front();
+  if (blend.tension) return fit;
   const typename Space::Triangulation t(points);
   if (t.dimension() < 2 || data.size() < enough_to_choose) return fit;
   const std::vector<double> of_sites =
       values_at_sites(t.sites(), t.num_sites(), values, Duplicates::first);
-  fit.stiffness = choose_blend<Space, Degree>(
-                      linear_.space(), t, of_sites,
-                      BlendCandidates{stiffness_levels, Gradients::local}, fit, run)
-                      .stiffness;
+  C1Options options;
+  options.gradients = Gradients::local;
+  fit.stiffness =
+      choose_blend<Space, Degree>(linear_.space(), t, of_sites, options, fit, run)
+          .stiffness;
   return fit;
 }
 

@@ -102,42 +102,37 @@ Stiffness BlendCells<Space, Degree>::choose(std::span<const Vector> site_gradien
 }
 
 template <BlendSpace Space, int Degree>
+template <class Fit>
+void BlendCells<Space, Degree>::fit_each(const RunOptions& run, Fit fit) {
+  constexpr std::int64_t chunk = 512;
+  models_.resize(at(triangulation().num_sites()));
+  const auto fit_chunk = [&](std::int64_t first, std::int64_t last) {
+    StencilGatherer<Space> gatherer(space_, triangulation());
+    for (auto s = static_cast<Site>(first); s < last; ++s)
+      models_[at(s)] = fit(s, gatherer.around(s, num_nearest(Degree)));
+  };
+  delaunay::parallel_chunks(triangulation().num_sites(), chunk, run, fit_chunk, {0, 0.8});
+}
+
+template <BlendSpace Space, int Degree>
 void BlendCells<Space, Degree>::fit_models(std::span<const Vector> site_gradients,
                                            const BlendFitOptions& options,
                                            const RunOptions& run) {
-  constexpr std::int64_t chunk = 512;
-  models_.resize(at(triangulation().num_sites()));
-  delaunay::parallel_chunks(triangulation().num_sites(), chunk, run,
-                            [&](std::int64_t first, std::int64_t last) {
-                              StencilGatherer<Space> gatherer(space_, triangulation());
-                              for (auto s = static_cast<Site>(first); s < last; ++s) {
-                                models_[at(s)] = fit_blend_model<Space, Degree>(
-                                    space_, triangulation(), linear_.site_values(), s,
-                                    gatherer.around(s, num_nearest(Degree)), options,
-                                    known_gradient<Space>(site_gradients, s));
-                              }
-                            },
-                            {0, 0.8});
+  fit_each(run, [&](Site s, std::span<const StencilNode> stencil) {
+    return fit_blend_model<Space, Degree>(space_, triangulation(), linear_.site_values(),
+                                          s, stencil, options,
+                                          known_gradient<Space>(site_gradients, s));
+  });
 }
 
 template <BlendSpace Space, int Degree>
 void BlendCells<Space, Degree>::fit_fixed_models(const C1Choices& choices,
                                                  const RunOptions& run) {
-  constexpr std::int64_t chunk = 512;
-  models_.resize(at(triangulation().num_sites()));
-  delaunay::parallel_chunks(triangulation().num_sites(), chunk, run,
-                            [&](std::int64_t first, std::int64_t last) {
-                              StencilGatherer<Space> gatherer(space_, triangulation());
-                              for (auto s = static_cast<Site>(first); s < last; ++s) {
-                                models_[at(s)] =
-                                    blend_node<Space, Degree>(
-                                        space_, triangulation(), s,
-                                        gatherer.around(s, num_nearest(Degree)),
-                                        choices.nodes[at(s)])
-                                        .model(s, linear_.site_values());
-                              }
-                            },
-                            {0, 0.8});
+  fit_each(run, [&](Site s, std::span<const StencilNode> stencil) {
+    return blend_node<Space, Degree>(space_, triangulation(), s, stencil,
+                                     choices.nodes[at(s)])
+        .model(s, linear_.site_values());
+  });
 }
 
 template <BlendSpace Space, int Degree>

@@ -83,6 +83,9 @@ class BlendCells {
                                  const RunOptions& run);
   void fit_models(std::span<const Vector> site_gradients, const BlendFitOptions& options,
                   const RunOptions& run);
+  /// `fit(site, stencil)` for every site.
+  template <class Fit>
+  void fit_each(const RunOptions& run, Fit fit);
   void fit_fixed_models(const C1Choices& choices, const RunOptions& run);
   void fit_edges(double limit, const RunOptions& run);
   [[nodiscard]] Arc arc_of(const std::array<Site, 3>& corners) const noexcept;

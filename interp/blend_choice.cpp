@@ -29,6 +29,13 @@ double weighed(double error) { return error * std::sqrt(error); }
 // Back, but for a factor.
 double mean_error(double sum) { return square(std::cbrt(sum)); }
 
+/// What to choose from: gradients local, or local and global (automatic). Global ones
+/// with the first stiffness only: curves of theirs would stand out of stiff triangles.
+struct BlendCandidates {
+  std::span<const Stiffness> stiffness;
+  Gradients gradients = Gradients::automatic;
+};
+
 /// Errors at one node that was left out, by stiffness.
 struct LeftOut {
   bool is_tested = false;
@@ -244,14 +251,12 @@ Prediction predict(const Space& space, const typename Space::Triangulation& tria
   return best_of(tests, candidates.stiffness.size());
 }
 
-}  // namespace
-
 template <BlendSpace Space, int Degree>
-BlendChoice choose_blend(const Space& space,
-                         const typename Space::Triangulation& triangulation,
-                         std::span<const double> site_values,
-                         const BlendCandidates& candidates,
-                         const BlendFitOptions& options, const RunOptions& run) {
+BlendChoice best_candidate(const Space& space,
+                           const typename Space::Triangulation& triangulation,
+                           std::span<const double> site_values,
+                           const BlendCandidates& candidates,
+                           const BlendFitOptions& options, const RunOptions& run) {
   constexpr double well_predicted = 0.2;  // of the linear surface's errors
   const auto prediction = [&](const BlendCandidates& of_one_kind) {
     return predict<Space, Degree>(space, triangulation, site_values, of_one_kind, options,
@@ -275,6 +280,8 @@ BlendChoice choose_blend(const Space& space,
           best.linear_rms};
 }
 
+}  // namespace
+
 template <BlendSpace Space, int Degree>
 BlendChoice choose_blend(const Space& space,
                          const typename Space::Triangulation& triangulation,
@@ -287,21 +294,15 @@ BlendChoice choose_blend(const Space& space,
     return {given[0], options.gradients};
   BlendCandidates candidates{given, options.gradients};
   if (is_tension_open) candidates.stiffness = stiffness_levels;
-  return choose_blend<Space, Degree>(space, triangulation, site_values, candidates, fit,
-                                     run);
+  return best_candidate<Space, Degree>(space, triangulation, site_values, candidates, fit,
+                                       run);
 }
 
-template BlendChoice choose_blend<PlaneSpace, 3>(
-    const PlaneSpace&, const PlaneSpace::Triangulation&, std::span<const double>,
-    const BlendCandidates&, const BlendFitOptions&, const RunOptions&);
 template BlendChoice choose_blend<PlaneSpace, 3>(const PlaneSpace&,
                                                  const PlaneSpace::Triangulation&,
                                                  std::span<const double>,
                                                  const C1Options&, const BlendFitOptions&,
                                                  const RunOptions&);
-template BlendChoice choose_blend<PlaneSpace, 4>(
-    const PlaneSpace&, const PlaneSpace::Triangulation&, std::span<const double>,
-    const BlendCandidates&, const BlendFitOptions&, const RunOptions&);
 template BlendChoice choose_blend<PlaneSpace, 4>(const PlaneSpace&,
                                                  const PlaneSpace::Triangulation&,
                                                  std::span<const double>,
@@ -309,13 +310,7 @@ template BlendChoice choose_blend<PlaneSpace, 4>(const PlaneSpace&,
                                                  const RunOptions&);
 template BlendChoice choose_blend<SphereSpace, 3>(
     const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
-    const BlendCandidates&, const BlendFitOptions&, const RunOptions&);
-template BlendChoice choose_blend<SphereSpace, 3>(
-    const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
     const C1Options&, const BlendFitOptions&, const RunOptions&);
-template BlendChoice choose_blend<SphereSpace, 4>(
-    const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
-    const BlendCandidates&, const BlendFitOptions&, const RunOptions&);
 template BlendChoice choose_blend<SphereSpace, 4>(
     const SphereSpace&, const SphereSpace::Triangulation&, std::span<const double>,
     const C1Options&, const BlendFitOptions&, const RunOptions&);

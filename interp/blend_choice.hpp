@@ -9,13 +9,6 @@
 
 namespace delone::interp {
 
-/// What to choose from: gradients local, or local and global (automatic). Global ones
-/// with the first stiffness only: curves of theirs would stand out of stiff triangles.
-struct BlendCandidates {
-  std::span<const Stiffness> stiffness;
-  Gradients gradients = Gradients::automatic;
-};
-
 /// What predicts nodes that are left out best.
 struct BlendChoice {
   Stiffness stiffness;
@@ -24,21 +17,14 @@ struct BlendChoice {
   double rms = 0, linear_rms = 0;
 };
 
+/// What the options leave open chosen, what they say taken (`num_tested` is 0 where
+/// nothing is left open).
+///
 /// Leaves out nodes one by one and predicts each from the surface that is fitted without
 /// it in the triangle that then lies in its place. All nodes of a small set, of a large
 /// one some hundreds spread along the curve. Nodes on the boundary are not counted.
 /// Global gradients are tried where local ones do not come down to a fifth of the linear
 /// surface's errors. Cost: 40 microseconds a node, for global ones as much again.
-template <BlendSpace Space, int Degree>
-[[nodiscard]] BlendChoice choose_blend(const Space& space,
-                                       const typename Space::Triangulation& triangulation,
-                                       std::span<const double> site_values,
-                                       const BlendCandidates& candidates,
-                                       const BlendFitOptions& options,
-                                       const RunOptions& run);
-
-/// What the options leave open chosen, what they say taken (`num_tested` is 0 where
-/// nothing is left open).
 template <BlendSpace Space, int Degree>
 [[nodiscard]] BlendChoice choose_blend(const Space& space,
                                        const typename Space::Triangulation& triangulation,

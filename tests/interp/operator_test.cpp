@@ -6,27 +6,18 @@
 
 #include "delaunay/error.hpp"
 #include "interp/linear_surface.hpp"
+#include "interp/operator_checks.hpp"
 #include "interp/surfaces.hpp"
 
 namespace delone::interp {
 namespace {
 
 using support::at_lonlat;
+using support::expect_equal_values;
 using support::PlanePoints;
 using support::random_values;
 using support::SpherePoints;
 using support::triangulated;
-
-// Values within [-1, 1] agree to 1e-13 of their range.
-void expect_equal(const std::vector<double>& a, const std::vector<double>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(std::isnan(a[i]), std::isnan(b[i])) << i;
-    if (!std::isnan(a[i])) {
-      ASSERT_NEAR(a[i], b[i], 2e-13) << i;
-    }
-  }
-}
 
 void expect_rows_sum_to_one(const Operator& op) {
   for (int i = 0; i < op.matrix().rows(); ++i) {
@@ -52,8 +43,8 @@ TEST_P(PlaneOperatorOnSets, AppliedEqualsTheSurface) {
     expect_rows_sum_to_one(op);
     for (std::uint64_t seed = 2; seed < 4; ++seed) {
       const std::vector<double> values = random_values(points.size(), seed);
-      expect_equal(op.apply(values),
-                   PlaneLinear(t, values, {.outside = outside}).values(targets));
+      expect_equal_values(op.apply(values),
+                          PlaneLinear(t, values, {.outside = outside}).values(targets));
     }
   }
 }
@@ -73,8 +64,8 @@ TEST_P(SphereOperatorOnSets, AppliedEqualsTheSurface) {
     const Operator op = linear_operator(t, targets, {.outside = outside});
     expect_rows_sum_to_one(op);
     const std::vector<double> values = random_values(points.size(), 2);
-    expect_equal(op.apply(values),
-                 SphereLinear(t, values, {.outside = outside}).values(targets));
+    expect_equal_values(op.apply(values),
+                        SphereLinear(t, values, {.outside = outside}).values(targets));
   }
 }
 
