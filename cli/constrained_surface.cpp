@@ -108,24 +108,23 @@ Surface fit_curved(const CurvedData& data, const interp::ConstrainedOptions& opt
                                    options, run);
 }
 
-/// What only c1 takes, and what of that looks across segments.
-void check_options_of_c1(const SurfaceSettings& settings) {
-  const bool is_free = settings.gradients == interp::Gradients::automatic;
-  if (settings.method == Method::c1) {
-    if (is_free || settings.gradients == interp::Gradients::local) return;
+/// What only tables have.
+void check_poly_options(const PointSettings& points) {
+  const auto refuse = [](std::string_view option) {
     throw UsageError(
-        "--gradients global looks across segments; with segments take local");
-  }
-  if (settings.tension || !is_free || settings.degree != interp::FitDegree::cubic) {
-    throw UsageError(
-        fmt::format("--gradients, --tension and --fit-degree are for --method c1, not {}",
-                    name_of(settings.method)));
-  }
+        fmt::format("{} is for tables; a .poly file has vertices and attributes (--value "
+                    "attribute_2 takes the second)",
+                    option));
+  };
+  if (!points.columns.x.empty()) refuse("--x");
+  if (!points.columns.y.empty()) refuse("--y");
+  if (points.columns.skip_bad_rows) refuse("--skip-bad-rows");
+  if (points.merge_within) refuse("--merge-within");
 }
 
 }  // namespace
 
-void check_curved_method(const SurfaceSettings& settings) {
+void check_curved_options(const PointSettings& points, const SurfaceSettings& settings) {
   if (settings.method != Method::linear && settings.method != Method::c1) {
     throw UsageError(
         fmt::format("--method {} looks across segments; with segments take linear or c1",
@@ -138,7 +137,13 @@ void check_curved_method(const SurfaceSettings& settings) {
   }
   if (settings.smooth.is_given)
     throw UsageError("--smooth is for --method smooth, which looks across segments");
-  check_options_of_c1(settings);
+  if (points.has_errors)
+    throw UsageError("--errors is for --method smooth, which looks across segments");
+  check_c1_options(settings);
+  if (settings.gradients == interp::Gradients::global)
+    throw UsageError(
+        "--gradients global looks across segments; with segments take local");
+  if (is_poly(points.path)) check_poly_options(points);
 }
 
 CurvedData read_curved(const PointSettings& points, const ConstraintSettings& constraints,

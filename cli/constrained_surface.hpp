@@ -20,9 +20,10 @@ struct CurvedData {
   Triangulated domain;  ///< the corners of the domain, for the region that it covers
 };
 
-/// Throws UsageError for what goes with no segments: methods that look across them and
-/// continuations.
-void check_curved_method(const SurfaceSettings& settings);
+/// Throws UsageError for what goes with no segments: methods that look across them,
+/// their options, and continuations; and for options of tables if the points are those of
+/// a .poly file.
+void check_curved_options(const PointSettings& points, const SurfaceSettings& settings);
 
 /// Reads points and segments and triangulates the domain. Of a .poly file the value is
 /// the attribute that `points.columns.value` names (attribute_1 if it names none); a

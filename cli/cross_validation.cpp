@@ -12,9 +12,12 @@
 
 #include "cli/output.hpp"
 #include "cli/queries.hpp"
+#include "cli/smoothing.hpp"
 #include "interp/error_report.hpp"
 #include "interp/leave_one_out_natural.hpp"
+#include "interp/leave_one_out_scatter.hpp"
 #include "interp/leave_one_out_smooth.hpp"
+#include "interp/leave_one_out_smoothing.hpp"
 #include "io/output_file.hpp"
 
 namespace delone::cli {
@@ -26,16 +29,6 @@ using interp::ErrorReport;
 using interp::LeaveOneOut;
 
 constexpr std::size_t num_told = 5;
-
-void check_method(Method method) {
-  if (method != Method::idw && method != Method::shepard && method != Method::rbf &&
-      method != Method::smooth)
-    return;
-  throw UsageError(
-      fmt::format("--cross-validate has no predictions for --method {}; take nearest, "
-                  "linear, c1, natural or natural-c1",
-                  name_of(method)));
-}
 
 /// Files that need not exist yet.
 bool is_same_place(std::string_view a, std::string_view b) {
@@ -59,9 +52,21 @@ LeaveOneOut leave_out(const auto& triangulation, const Points& points,
     case Method::natural:
     case Method::natural_c1:
       return interp::leave_out_natural(triangulation, values, options.natural, run);
-    default:
-      return interp::leave_out_linear(triangulation, values, options.common, run);
+    case Method::idw:
+      return interp::leave_out_inverse_distance(triangulation, values, {}, options.common,
+                                                run);
+    case Method::shepard:
+      return interp::leave_out_shepard(triangulation, values, {}, options.common, run);
+    case Method::rbf:
+      return interp::leave_out_radial(triangulation, values, {}, options.common, run);
+    case Method::smooth:
+      return interp::leave_out_smooth(
+          triangulation, values, smooth_options(points, options.common, settings.smooth),
+          run);
+    case Method::linear:
+      break;
   }
+  return interp::leave_out_linear(triangulation, values, options.common, run);
 }
 
 struct Validation {
@@ -190,17 +195,25 @@ void add_cross_validation_option(CLI::App& app, CrossValidationSettings& setting
   app.add_option(
          "--cross-validate", settings.path,
          "Leave out every point in turn and write what the others say of it: row, "
-         "position, value, predicted, residual, standardised, outlier; methods "
-         "nearest, linear, c1, natural, natural-c1")
+         "position, value, predicted, residual, standardised, outlier")
       ->type_name("FILE.csv");
 }
 
+std::string_view obstacle_to_validation(const PointSettings& points,
+                                        const ConstraintSettings& constraints,
+                                        const VectorSettings& vector) {
+  if (has_segments(points.path, constraints)) return "segments";
+  return vector.is_wanted ? "--vector" : "";
+}
+
 void check_cross_validation(const CrossValidationSettings& settings,
-                            const SurfaceSettings& surface,
+                            std::string_view obstacle,
                             std::initializer_list<std::string_view> inputs,
                             std::initializer_list<std::string_view> outputs) {
   if (!settings.is_wanted()) return;
-  check_method(surface.method);
+  if (!obstacle.empty())
+    throw UsageError(fmt::format(
+        "--cross-validate does not go with {}; leave out one of them", obstacle));
   if (fs::path(settings.path).extension() != ".csv")
     throw UsageError(fmt::format(
         "--cross-validate {}: the table is CSV; name a file that ends in .csv",

@@ -4,9 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "cli/constraints.hpp"
 #include "cli/options.hpp"
 #include "cli/points.hpp"
 #include "cli/surface.hpp"
+#include "cli/vector_field.hpp"
 
 namespace delone::cli {
 
@@ -18,11 +20,16 @@ struct CrossValidationSettings {
 
 void add_cross_validation_option(CLI::App& app, CrossValidationSettings& settings);
 
-/// Asks before any work what can be asked: throws UsageError unless the method has
-/// leave-one-out predictions, the file is a .csv and none of `inputs` and `outputs`, and
-/// io::WriteError if it cannot be opened.
+/// What is wanted that predictions do not go with: segments, --vector or nothing (empty).
+[[nodiscard]] std::string_view obstacle_to_validation(
+    const PointSettings& points, const ConstraintSettings& constraints,
+    const VectorSettings& vector);
+
+/// Asks before any work what can be asked: throws UsageError if the predictions do not go
+/// with something else that is wanted (`obstacle`; empty: nothing), unless the file is a
+/// .csv and none of `inputs` and `outputs`, and io::WriteError if it cannot be opened.
 void check_cross_validation(const CrossValidationSettings& settings,
-                            const SurfaceSettings& surface,
+                            std::string_view obstacle,
                             std::initializer_list<std::string_view> inputs,
                             std::initializer_list<std::string_view> outputs);
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/arc_tension.hpp"
 #include "cli/constrained_surface.hpp"
 #include "cli/cross_validation.hpp"
 #include "cli/derivatives.hpp"
@@ -130,14 +131,17 @@ void check_vector(const Settings& settings) {
 }
 
 void check_validation(const Settings& settings) {
-  const bool has_curves = has_segments(settings.points.path, settings.constraints);
-  if (settings.validation.is_wanted() && (settings.vector.is_wanted || has_curves))
-    throw UsageError(
-        fmt::format("--cross-validate does not go with {}; leave out one of them",
-                    has_curves ? "segments" : "--vector"));
-  check_cross_validation(settings.validation, settings.surface,
-                         {settings.points.path, settings.constraints.path},
-                         {settings.output.path, settings.map.path});
+  check_cross_validation(
+      settings.validation,
+      obstacle_to_validation(settings.points, settings.constraints, settings.vector),
+      {settings.points.path, settings.constraints.path},
+      {settings.output.path, settings.map.path});
+}
+
+/// What is for pictures needs one.
+void check_points(const Settings& settings, const std::string& format) {
+  if (settings.draws_points && format != "png" && settings.map.path.empty())
+    throw UsageError("--points shows them on a map; give --map FILE or write a .png");
 }
 
 std::string choose_format(const Settings& settings) {
@@ -187,7 +191,7 @@ io::GridFile fill(const Settings& settings, const Points& points,
 /// The same over a domain, no value reaching across its curves.
 void grid_domain(const Settings& settings, const std::string& format,
                  Reporter& reporter) {
-  check_curved_method(settings.surface);
+  check_curved_options(settings.points, settings.surface);
   const CurvedData data = read_curved(settings.points, settings.constraints, reporter);
   const Points& points = data.input.points;
   check_dimension(settings, points, data.domain);
@@ -199,7 +203,15 @@ void grid_domain(const Settings& settings, const std::string& format,
 
 ExitCode run(const Settings& settings, Reporter& reporter) {
   check_vector(settings);
+  check_arc_tension(settings.surface);
+  check_arc_tension_without(settings.vector.is_wanted         ? "--vector"
+                            : settings.validation.is_wanted() ? "--cross-validate"
+                            : has_segments(settings.points.path, settings.constraints)
+                                ? "segments"
+                                : "",
+                            settings.surface);
   const std::string format = choose_format(settings);
+  check_points(settings, format);
   check_output(settings.output.path, {settings.points.path, settings.constraints.path});
   if (!settings.map.path.empty()) {
     static_cast<void>(choose_map_format(settings.map));
@@ -246,6 +258,7 @@ Command add_grid_command(CLI::App& program) {
   add_cross_validation_option(app, settings->validation);
   add_grid_options(app, settings->grid);
   add_surface_options(app, settings->surface);
+  add_arc_tension_options(app, settings->surface);
   add_smooth_options(app, settings->points, settings->surface);
   add_domain_options(app, settings->constraints);
   add_output_options(app, settings->output,

@@ -13,6 +13,7 @@
 #include "cli/grid_command.hpp"
 #include "cli/hull_command.hpp"
 #include "cli/info_command.hpp"
+#include "cli/integrate_command.hpp"
 #include "cli/locate_command.hpp"
 #include "cli/nearest_command.hpp"
 #include "cli/output.hpp"
@@ -34,7 +35,7 @@ std::vector<Command> add_commands(CLI::App& program) {
           add_nearest_command(program),     add_check_command(program),
           add_info_command(program),        add_plot_command(program),
           add_block_command(program),       add_weights_command(program),
-          add_apply_command(program)};
+          add_apply_command(program),       add_integrate_command(program)};
 }
 
 /// The subcommand asked for, with its options filled in.

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 
+#include "cli/arc_tension.hpp"
 #include "cli/constrained_surface.hpp"
 #include "cli/cross_validation.hpp"
 #include "cli/derivatives.hpp"
@@ -95,13 +96,9 @@ void check_derivatives(const Settings& settings) {
 }
 
 void check_validation(const Settings& settings) {
-  const bool has_curves = has_segments(settings.points.path, settings.constraints);
-  if (settings.validation.is_wanted() && (settings.vector.is_wanted || has_curves))
-    throw UsageError(
-        fmt::format("--cross-validate does not go with {}; leave out one of them",
-                    has_curves ? "segments" : "--vector"));
   check_cross_validation(
-      settings.validation, settings.surface,
+      settings.validation,
+      obstacle_to_validation(settings.points, settings.constraints, settings.vector),
       {settings.points.path, settings.queries.path, settings.constraints.path},
       {settings.output.path});
 }
@@ -127,7 +124,7 @@ std::string sample(const Settings& settings, const Points& points, const Points&
 std::string sample_domain(const Settings& settings, Reporter& reporter) {
   if (settings.vector.is_wanted)
     throw UsageError("--vector does not go with segments; leave out one of them");
-  check_curved_method(settings.surface);
+  check_curved_options(settings.points, settings.surface);
   check_inputs(settings.queries.path, settings.constraints.path);
   const CurvedData data = read_curved(settings.points, settings.constraints, reporter);
   const Points& points = data.input.points;
@@ -150,6 +147,13 @@ void write(const Settings& settings, const std::string& text, Reporter& reporter
 
 ExitCode run(const Settings& settings, Reporter& reporter) {
   check_derivatives(settings);
+  check_arc_tension(settings.surface);
+  check_arc_tension_without(settings.vector.is_wanted         ? "--vector"
+                            : settings.validation.is_wanted() ? "--cross-validate"
+                            : has_segments(settings.points.path, settings.constraints)
+                                ? "segments"
+                                : "",
+                            settings.surface);
   static_cast<void>(choose_format(settings.output, {"csv"}));
   check_inputs(settings.points.path, settings.queries.path);
   check_output(settings.output.path,
@@ -176,6 +180,7 @@ Command add_sample_command(CLI::App& program) {
   add_vector_option(app, settings->points, settings->vector);
   add_query_options(app, settings->queries);
   add_surface_options(app, settings->surface);
+  add_arc_tension_options(app, settings->surface);
   add_smooth_options(app, settings->points, settings->surface);
   add_domain_options(app, settings->constraints);
   add_output_options(app, settings->output,

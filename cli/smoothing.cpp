@@ -56,6 +56,15 @@ void add_smooth_options(CLI::App& app, PointSettings& points, SurfaceSettings& s
     errors->excludes(vector);
 }
 
+void add_smooth_length(CLI::App& app, SurfaceSettings& settings) {
+  app.add_option_function<std::string>(
+         "--smooth",
+         [&settings](const std::string& text) { settings.smooth = parse_smooth(text); },
+         "smooth: a length L (kilometres, on the plane the unit of x and y): waves of "
+         "length L keep half of their height, shorter ones less")
+      ->type_name("L");
+}
+
 void check_smooth_options(const Points& points, const SurfaceSettings& settings) {
   if (settings.method != Method::smooth) {
     if (!settings.smooth.is_given && !points.has_errors) return;

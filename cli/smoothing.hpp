@@ -9,6 +9,9 @@ namespace delone::cli {
 /// --smooth and --errors, after --vector.
 void add_smooth_options(CLI::App& app, PointSettings& points, SurfaceSettings& settings);
 
+/// --smooth with a length only, for what knows no values.
+void add_smooth_length(CLI::App& app, SurfaceSettings& settings);
+
 /// Throws UsageError for options of smoothing with another method, and for misfits as
 /// large as errors without errors.
 void check_smooth_options(const Points& points, const SurfaceSettings& settings);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/arc_tension.hpp"
 #include "cli/smoothing.hpp"
 
 namespace delone::cli {
@@ -91,6 +92,7 @@ struct PlaneSurfaces {
   using Shepard = interp::PlaneShepard;
   using Radial = interp::PlaneRadial;
   using Smooth = interp::PlaneSmooth;
+  using TensionSpline = interp::PlaneTensionSpline;
 };
 struct SphereSurfaces {
   using Linear = interp::SphereLinear;
@@ -101,6 +103,7 @@ struct SphereSurfaces {
   using Shepard = interp::SphereShepard;
   using Radial = interp::SphereRadial;
   using Smooth = interp::SphereSmooth;
+  using TensionSpline = interp::SphereTensionSpline;
 };
 
 interp::C1Options c1_options(const interp::SurfaceOptions& common,
@@ -142,6 +145,18 @@ void say_fit(const interp::C1Fit& fit, const SurfaceSettings& settings,
       fit.linear_left_out_rms);
 }
 
+template <class TensionSpline>
+Surface fit_tension_spline(const auto& triangulation, const Points& points,
+                           const SurfaceSettings& settings, const interp::C1Options& c1,
+                           Reporter& reporter) {
+  const TensionSpline surface(
+      triangulation, points.table.value,
+      tension_spline_options(c1, settings.arcs, points.table.value),
+      reporter.run_options("fitting"));
+  say_arc_tension(surface.fit(), reporter);
+  return surface;
+}
+
 /// The method's surface over a triangulation of either kind.
 template <class Surfaces>
 Surface fit_method(const auto& triangulation, const Points& points,
@@ -153,6 +168,10 @@ Surface fit_method(const auto& triangulation, const Points& points,
     case Method::nearest:
       return typename Surfaces::Nearest(triangulation, values, options);
     case Method::c1: {
+      if (settings.arcs.is_wanted()) {
+        return fit_tension_spline<typename Surfaces::TensionSpline>(
+            triangulation, points, settings, c1_options(options, settings), reporter);
+      }
       typename Surfaces::C1 surface(triangulation, values, c1_options(options, settings),
                                     run);
       say_fit(surface.fit(), settings, reporter);
@@ -190,9 +209,12 @@ Surface fit_domain(const Points& points, const Triangulated& triangulated,
 
 void check_extrapolation(const Points& points, const SurfaceSettings& settings) {
   if (settings.outside != Outside::linear) return;
-  if (!points.is_on_plane()) {
+  if (!points.is_on_plane())
+    check_arc_tension_without("--extrapolate linear on the globe", settings);
+  if (!points.is_on_plane() && settings.method != Method::c1) {
     throw UsageError(
-        "--extrapolate linear works on the plane only; use --extrapolate nearest");
+        "--extrapolate linear works on the globe with --method c1 only; take that, or "
+        "--extrapolate nearest");
   }
   if (settings.method == Method::nearest || settings.method == Method::natural ||
       settings.method == Method::natural_c1) {
@@ -200,18 +222,6 @@ void check_extrapolation(const Points& points, const SurfaceSettings& settings) 
         "--extrapolate linear does not go with --method {}; use --extrapolate "
         "nearest",
         name_of(settings.method)));
-  }
-}
-
-void check_c1_options(const SurfaceSettings& settings) {
-  if (settings.method == Method::c1) return;
-  if (settings.tension || settings.is_bounded ||
-      settings.gradients != interp::Gradients::automatic ||
-      settings.degree != interp::FitDegree::cubic) {
-    throw UsageError(
-        fmt::format("--gradients, --tension, --bounded and --fit-degree are for --method "
-                    "c1, not {}",
-                    name_of(settings.method)));
   }
 }
 
@@ -223,14 +233,24 @@ std::string_view name_of(Method method) {
   return {};
 }
 
+void check_c1_options(const SurfaceSettings& settings) {
+  check_arc_tension(settings);
+  if (settings.method == Method::c1) return;
+  for (const CLI::Option* const option : settings.c1_options) {
+    if (option->count() > 0)
+      throw UsageError(fmt::format("{} is for --method c1, not {}", option->get_name(),
+                                   name_of(settings.method)));
+  }
+}
+
 void add_surface_options(CLI::App& app, SurfaceSettings& settings) {
   add_choice<Method>(app, "--method", settings.method, method_choices,
                      "linear (default), nearest, c1 (smooth), natural, natural-c1, idw, "
                      "shepard, rbf or smooth (near noisy data, not through them)");
   add_choice<Outside>(
       app, "--extrapolate", settings.outside, outside_choices,
-      "Outside the points: nearest or, on the plane, linear: the surface's own "
-      "continuation (default: missing)");
+      "Outside the points: nearest or, on the plane and of c1 on the globe, linear: the "
+      "surface's own continuation (default: missing)");
   const auto set_distance = [&settings](const double& distance) {
     if (!(distance >= 0))
       throw UsageError("--max-distance must be a number that is not negative");
@@ -260,6 +280,8 @@ void add_surface_options(CLI::App& app, SurfaceSettings& settings) {
                "c1: stay among the values around each triangle");
   add_choice<interp::FitDegree>(app, "--fit-degree", settings.degree, degree_choices,
                                 "c1: 3 (default) or, for smooth data, 4");
+  for (const char* const name : {"--gradients", "--tension", "--bounded", "--fit-degree"})
+    settings.c1_options.push_back(app.get_option(name));
 }
 
 GlobeOptions globe_options(const Points& points, const SurfaceSettings& settings) {

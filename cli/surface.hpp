@@ -10,6 +10,7 @@
 
 #include "cli/options.hpp"
 #include "cli/points.hpp"
+#include "interp/arc_tension_surface.hpp"
 #include "interp/c1_surface.hpp"
 #include "interp/constrained_surface.hpp"
 #include "interp/idw_surface.hpp"
@@ -45,6 +46,17 @@ struct SmoothSettings {
   bool is_given = false;
 };
 
+/// What --shape, --range and --arc-tension say.
+struct ArcTensionSettings {
+  interp::ArcDemand demand;
+  double factor = 0;
+  bool is_given = false;  ///< a range or a factor
+  bool has_range = false;
+  [[nodiscard]] bool is_wanted() const noexcept {
+    return is_given || demand.shape != interp::ArcShape::free;
+  }
+};
+
 struct SurfaceSettings {
   Method method = Method::linear;
   interp::Outside outside = interp::Outside::missing;
@@ -54,12 +66,18 @@ struct SurfaceSettings {
   interp::Gradients gradients = interp::Gradients::automatic;
   bool is_bounded = false;
   interp::FitDegree degree = interp::FitDegree::cubic;
+  ArcTensionSettings arcs;
   SmoothSettings smooth;
+  std::vector<const CLI::Option*> c1_options;  ///< those that other methods do not take
 };
 
 /// --method, --extrapolate, --max-distance, and what c1 takes: --gradients, --tension,
 /// --bounded, --fit-degree.
 void add_surface_options(CLI::App& app, SurfaceSettings& settings);
+
+/// Throws UsageError for an option of c1 on the command line with another method, also
+/// one with the default's meaning.
+void check_c1_options(const SurfaceSettings& settings);
 
 /// What the surfaces on the globe take.
 struct GlobeOptions {
@@ -78,7 +96,8 @@ using Surface =
                  interp::PlaneRadial, interp::SphereLinear, interp::SphereNearest,
                  interp::SphereC1, interp::SphereNatural, interp::SphereInverseDistance,
                  interp::SphereShepard, interp::SphereRadial, interp::PlaneConstrained,
-                 interp::SphereConstrained, interp::PlaneSmooth, interp::SphereSmooth>;
+                 interp::SphereConstrained, interp::PlaneSmooth, interp::SphereSmooth,
+                 interp::PlaneTensionSpline, interp::SphereTensionSpline>;
 
 /// Fits the surface, and says how where there was a choice. Throws UsageError if the
 /// domain or the method does not have what was asked for, Error naming file and line for

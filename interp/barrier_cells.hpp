@@ -35,6 +35,9 @@ class DomainFacet {
   void fill_row(double* row, const Columns& columns, IndexRange range, Row y) const {
     if (plain_) plain_->fill_row(row, columns, range, y);
   }
+  [[nodiscard]] auto formula() const requires(!FillsBatches<Plain>) {
+    return plain_ ? plain_->formula() : decltype(plain_->formula()){};
+  }
   void fill(NodeBatch& batch) const requires FillsBatches<Plain> {
     if (plain_)
       plain_->fill(batch);

@@ -43,6 +43,25 @@ SecondOrder linear_derivatives(const SphereCells& cells, const Direction& p,
   return piecewise(cells.value(p, cursor), g.east, g.north);
 }
 
+// On the sphere the blended surface continues itself.
+SurfaceOptions linear_options(const PlaneSpace*, SurfaceOptions options) {
+  return options;
+}
+SurfaceOptions linear_options(const SphereSpace*, SurfaceOptions options) {
+  if (options.outside == Outside::linear) options.outside = Outside::missing;
+  return options;
+}
+
+// The linear interpolant of two nodes at the foot of a position on the arc between them.
+template <class S>
+S value_on_arc(Vector3 a, Vector3 b, double at_a, double at_b,
+               const SphereSpace::Position<S>& p) {
+  const Vector3 normal = cross(a, b - a);
+  const S from_a = SphereSpace::dot(cross(normal, a), p),
+          from_b = SphereSpace::dot(cross(b, normal), p);
+  return S(at_a) + (at_b - at_a) * (from_a / (from_a + from_b));
+}
+
 }  // namespace
 
 void check(const C1Options& options) {
@@ -60,13 +79,19 @@ BlendCells<Space, Degree>::BlendCells(std::shared_ptr<const Triangulation> trian
                                       std::vector<double> site_values,
                                       const C1Options& options, const RunOptions& run,
                                       std::vector<Vector> site_gradients)
-    : linear_(std::move(triangulation), std::move(site_values), options),
+    : options_(options),
+      linear_(std::move(triangulation), std::move(site_values),
+              linear_options(static_cast<const Space*>(nullptr), options)),
       space_(space_of(linear_)) {
   check(options);
   check_choices(options, this->triangulation().num_sites());
+  if constexpr (std::same_as<Space, SphereSpace>) {
+    if (options.outside == Outside::linear && this->triangulation().num_sites() > 0)
+      rim_.emplace(this->triangulation(), linear_.site_values());
+  }
   if (this->triangulation().dimension() < 2) return;
   if (options.choices) {
-    fit_fixed_models(*options.choices, run);
+    fit_fixed_models(*options.choices, std::move(site_gradients), run);
     number_edges();
     fit_edges(std::numeric_limits<double>::infinity(), run);
     return;
@@ -127,11 +152,29 @@ void BlendCells<Space, Degree>::fit_models(std::span<const Vector> site_gradient
 
 template <BlendSpace Space, int Degree>
 void BlendCells<Space, Degree>::fit_fixed_models(const C1Choices& choices,
+                                                 std::vector<Vector> site_gradients,
                                                  const RunOptions& run) {
+  fit_.gradients = site_gradients.empty() ? choices.gradients : Gradients::given;
+  if (fit_.gradients == Gradients::given && choices.gradients == Gradients::local)
+    throw Error("the choices are for local gradients; make them with given ones");
+  if (fit_.gradients == Gradients::given && site_gradients.empty())
+    throw Error("the choices are for given gradients; pass them with the values");
+  if (fit_.gradients == Gradients::global) {
+    site_gradients =
+        least_curvature_gradients(space_, triangulation(), linear_.site_values(), run);
+  }
   fit_each(run, [&](Site s, std::span<const StencilNode> stencil) {
-    return blend_node<Space, Degree>(space_, triangulation(), s, stencil,
-                                     choices.nodes[at(s)])
-        .model(s, linear_.site_values());
+    const auto gradient = known_gradient<Space>(site_gradients, s);
+    const bool is_missing = !gradient && choices.gradients != Gradients::local;
+    const C1NodeChoice choice = is_missing ? C1NodeChoice{} : choices.nodes[at(s)];
+    const BlendNode<Degree> node =
+        blend_node<Space, Degree>(space_, triangulation(), s, stencil, choice,
+                                  gradient ? Gradients::given : Gradients::local);
+    if (!gradient) return node.model(s, linear_.site_values());
+    const auto slope =
+        Space::local(Space::axes(space_.vector(triangulation().points()[at(s)])),
+                     Space::position(*gradient), 1);
+    return node.model(s, linear_.site_values(), {slope.u, slope.v});
   });
 }
 
@@ -185,14 +228,14 @@ template <BlendSpace Space, int Degree>
 auto BlendCells<Space, Degree>::facet(Arc arc) const noexcept -> Facet {
   const Adjacency& t = triangulation().adjacency();
   arc = from_smallest_corner(t, arc);
-  const Arc second = t.previous(t.reverse(arc)), third = t.reverse(t.next(arc));
+  const std::array<Arc, 3> arcs = arcs_around(arc);
   const std::array<Site, 3> corners = t.left(arc);
   typename Facet::Corners parts;
   for (std::size_t k = 0; k < 3; ++k) {
     parts.points[k] = space_.vector(triangulation().points()[at(corners[k])]);
     parts.models[k] = &models_[at(corners[k])];
   }
-  parts.humps = {hump(arc), hump(second), hump(third)};
+  parts.humps = {hump(arcs[0]), hump(arcs[1]), hump(arcs[2])};
   return Facet(parts);
 }
 
@@ -210,21 +253,67 @@ template <BlendSpace Space, int Degree>
 template <class S>
 S BlendCells<Space, Degree>::continued(const typename Space::template Position<S>& p,
                                        const Point& at, Cursor& cursor) const {
+  if (!is_in_reach(at, cursor)) return missing * S(1.0);
   if constexpr (std::same_as<Space, PlaneSpace>) {
-    if (linear_.reach().is_limited()) {
-      cursor.site = nearest_site(triangulation(), at, cursor.site);
-      if (!linear_.reach().covers(at, cursor.site)) return missing * S(1.0);
-    }
-    const Adjacency& t = triangulation().adjacency();
     const Arc hull = linear_.extension().zone(space_.vector(at), cursor.arc).after;
-    const Arc inner = t.reverse(hull);
-    const std::array<Site, 3> corners = smallest_first(t.left(inner));
-    const auto first = std::find(corners.begin(), corners.end(), inner.origin);
-    return facet(inner).template beyond_edge<S>(
-        static_cast<std::size_t>(first - corners.begin()), p);
+    const EdgeFacet inner = edge_facet(triangulation().adjacency().reverse(hull));
+    return inner.facet.template beyond_edge<S>(inner.edge, p);
   } else {
-    return missing * S(1.0);  // refused by SphereCells
+    return beyond_rim<S>(p, at);
   }
+}
+
+// What the nearest place of the rim gives fades into one value for all that is far: the
+// nearest place is not unique there.
+template <BlendSpace Space, int Degree>
+template <class S>
+S BlendCells<Space, Degree>::beyond_rim(
+    const typename Space::template Position<S>& p,
+    const Point& at) const requires std::same_as<Space, SphereSpace> {
+  const S far(rim_->far_value());
+  const RimPlace place = rim_->nearest(at);
+  if (place.kind == RimPlace::Kind::far) return far;
+  const auto node = [&](Site s) {
+    return space_.vector(triangulation().points()[interp::at(s)]);
+  };
+  const Vector from = node(place.from);
+  const bool is_corner = place.kind == RimPlace::Kind::corner;
+  const RimFoot<S> foot = is_corner ? RimFoot<S>{S(0.0), SphereSpace::dot(from, p)}
+                                    : rim_foot<S>(from, node(place.to), p);
+  return far + rim_part(foot.cosine) * (near_rim<S>(place, foot.place, p) - far);
+}
+
+template <BlendSpace Space, int Degree>
+template <class S>
+S BlendCells<Space, Degree>::near_rim(
+    const RimPlace& place, const S& t,
+    const SphereSpace::Position<S>& p) const requires std::same_as<Space, SphereSpace> {
+  if (triangulation().dimension() == 2) {
+    const EdgeFacet inner = edge_facet(place.arc);
+    return inner.facet.template beyond_edge<S>(inner.edge, p, t);
+  }
+  const auto node = [&](Site s) {
+    return space_.vector(triangulation().points()[interp::at(s)]);
+  };
+  const double value = site_value(place.from);
+  if (place.kind == RimPlace::Kind::corner) return S(value);
+  return value_on_arc<S>(node(place.from), node(place.to), value, site_value(place.to),
+                         p);
+}
+
+template <BlendSpace Space, int Degree>
+auto BlendCells<Space, Degree>::edge_facet(Arc inner) const noexcept -> EdgeFacet {
+  const std::array<Site, 3> corners =
+      smallest_first(triangulation().adjacency().left(inner));
+  const auto first = std::find(corners.begin(), corners.end(), inner.origin);
+  return {facet(inner), static_cast<std::size_t>(first - corners.begin())};
+}
+
+template <BlendSpace Space, int Degree>
+bool BlendCells<Space, Degree>::is_in_reach(const Point& p, Cursor& cursor) const {
+  if (!linear_.reach().is_limited()) return true;
+  cursor.site = nearest_site(triangulation(), p, cursor.site);
+  return linear_.reach().covers(p, cursor.site);
 }
 
 template <BlendSpace Space, int Degree>
@@ -236,7 +325,14 @@ double BlendCells<Space, Degree>::edge_value(Site from, Site to,
 
 template <BlendSpace Space, int Degree>
 double BlendCells<Space, Degree>::value(const Point& p, Cursor& cursor) const {
-  if (!is_finite(p) || triangulation().dimension() < 2) return linear_.value(p, cursor);
+  if (!is_finite(p) || triangulation().dimension() < 2) {
+    const double value = linear_.value(p, cursor);
+    if constexpr (std::same_as<Space, SphereSpace>) {
+      if (rim_ && std::isnan(value))
+        return continued<double>(Space::position(space_.vector(p)), p, cursor);
+    }
+    return value;
+  }
   const Spot spot = find_spot(triangulation(), p, cursor.arc);
   if (spot.kind == Spot::Kind::outside) {
     if (options().outside == Outside::linear)
@@ -253,9 +349,48 @@ double BlendCells<Space, Degree>::value(const Point& p, Cursor& cursor) const {
 }
 
 template <BlendSpace Space, int Degree>
+std::optional<Arc> BlendCells<Space, Degree>::triangle_at(const Point& p,
+                                                          Cursor& cursor) const {
+  if (!is_finite(p) || triangulation().dimension() < 2) return {};
+  const Spot spot = find_spot(triangulation(), p, cursor.arc);
+  if (spot.kind != Spot::Kind::triangle || !linear_.is_reached(p, spot, cursor))
+    return {};
+  return from_smallest_corner(triangulation().adjacency(), cursor.arc);
+}
+
+template <BlendSpace Space, int Degree>
+std::array<Arc, 3> BlendCells<Space, Degree>::arcs_around(Arc arc) const noexcept {
+  const Adjacency& t = triangulation().adjacency();
+  return {arc, t.previous(t.reverse(arc)), t.reverse(t.next(arc))};
+}
+
+template <BlendSpace Space, int Degree>
+void BlendCells<Space, Degree>::fetch_places(Arc arc) const noexcept {
+  for (const Arc a : arcs_around(arc)) __builtin_prefetch(&edges_[at(a.index)]);
+}
+
+template <BlendSpace Space, int Degree>
+void BlendCells<Space, Degree>::fetch_parts(Arc arc) const noexcept {
+  constexpr std::size_t line = 64;
+  for (const Arc a : arcs_around(arc)) {
+    __builtin_prefetch(&humps_[at(edges_[at(a.index)])]);
+    __builtin_prefetch(&triangulation().points()[at(a.origin)]);
+    const char* const model = reinterpret_cast<const char*>(&models_[at(a.origin)]);
+    for (std::size_t k = 0; k < sizeof(BlendModel<Degree>); k += line)
+      __builtin_prefetch(model + k);
+  }
+}
+
+template <BlendSpace Space, int Degree>
 SecondOrder BlendCells<Space, Degree>::derivatives(const Point& p, Cursor& cursor) const {
-  if (!is_finite(p) || triangulation().dimension() < 2)
-    return linear_derivatives(linear_, p, cursor);
+  if (!is_finite(p) || triangulation().dimension() < 2) {
+    const SecondOrder found = linear_derivatives(linear_, p, cursor);
+    if constexpr (std::same_as<Space, SphereSpace>) {
+      if (rim_ && std::isnan(found.value))
+        return continued<SecondOrder>(variable(space_, p), p, cursor);
+    }
+    return found;
+  }
   const Spot spot = find_spot(triangulation(), p, cursor.arc);
   if (spot.kind == Spot::Kind::outside) {
     if (options().outside == Outside::linear)

@@ -198,6 +198,7 @@ double handicap(double error, const Prediction& linear) {
 // not.
 Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
   Prediction result;
+  constexpr double far_better = 2;
   const double limit = rarely_exceeded(tests);
   std::array<double, num_stiffness_levels> squares{}, scores{}, usual_scores{};
   double linear_squares = 0;
@@ -222,6 +223,14 @@ Prediction best_of(const std::vector<LeftOut>& tests, std::size_t num_levels) {
   const auto last = handicapped.begin() + static_cast<std::ptrdiff_t>(num_levels);
   result.level = static_cast<std::size_t>(std::min_element(handicapped.begin(), last) -
                                           handicapped.begin());
+  // Some nodes at the hull that no surface predicts must not stiffen what predicts all
+  // others far better.
+  for (std::size_t k = 0; k < result.level; ++k) {
+    const bool is_safe = !(squares[k] > square(most_loss) * linear_squares);
+    if (is_safe &&
+        far_better * mean_error(usual_scores[k]) < mean_error(usual_scores[result.level]))
+      result.level = k;
+  }
   const double count = std::max(1.0, static_cast<double>(result.num_tested));
   result.score = mean_error(usual_scores[result.level]);
   result.rms = std::sqrt(squares[result.level] / count);

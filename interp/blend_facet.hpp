@@ -110,7 +110,7 @@ class BlendFacet;
 
 /// BlendFacet::fill_groups_as for the instruction set of the machine.
 template <BlendSpace Space, int Degree>
-[[nodiscard]] std::uint32_t fill_groups(const BlendFacet<Space, Degree>& facet,
+[[nodiscard]] std::uint64_t fill_groups(const BlendFacet<Space, Degree>& facet,
                                         const NodeBatch& batch) noexcept;
 
 /// A blended surface in one triangle.
@@ -176,6 +176,13 @@ class BlendFacet {
   [[nodiscard]] S beyond_edge(std::size_t k, const Position<S>& p) const noexcept {
     return S(models_[0].value) + edge_blend<S>(k, p, rises_at<S>(p, softened<S>));
   }
+  /// The same with the place t along the edge, 0 at its first end, given.
+  template <class S>
+  [[nodiscard]] S beyond_edge(std::size_t k, const Position<S>& p,
+                              const S& t) const noexcept {
+    return S(models_[0].value) +
+           edge_blend_at<S>(k, kept_between_ends(t), rises_at<S>(p, softened<S>));
+  }
 
   /// Evaluates the nodes and empties the batch. The same bits as one by one.
   //
@@ -183,22 +190,22 @@ class BlendFacet {
   // near a bound, a corner), its group is done one by one.
   void fill(NodeBatch& batch) const noexcept {
     batch.fill_lanes();
-    const std::uint32_t open = is_thin_ ? ~std::uint32_t{0} : fill_groups(*this, batch);
-    for (std::size_t k = 0; k < batch.size(); ++k) {
-      if ((open >> (k / NodeBatch::lanes) & 1) == 0) continue;
+    const std::uint64_t open = is_thin_ ? ~std::uint64_t{0} : fill_groups(*this, batch);
+    for (std::size_t k = 0; open != 0 && k < batch.size(); ++k) {
+      if ((open >> k & 1) == 0) continue;
       *batch.values[k] =
           value(position_in<double>(batch, [k](const double* from) { return from[k]; }));
     }
     batch.clear();
   }
   /// The groups of a triangle that is not thin, compiled for an instruction set. Bits of
-  /// the groups that are left open.
+  /// the nodes that are left open.
   template <class InstructionSet>
-  [[nodiscard]] std::uint32_t fill_groups_as(const NodeBatch& batch) const noexcept {
-    std::uint32_t open = 0;
-    for (std::size_t i = 0; i < batch.size(); i += NodeBatch::lanes)
-      open |= std::uint32_t{!fill_group<InstructionSet>(batch, i)}
-              << i / NodeBatch::lanes;
+  [[nodiscard]] std::uint64_t fill_groups_as(const NodeBatch& batch) const noexcept {
+    using Lanes = LanesOf<InstructionSet>;
+    std::uint64_t open = 0;
+    for (std::size_t i = 0; i < batch.size(); i += Lanes::size)
+      open |= (fill_group<InstructionSet>(batch, i) ? 0 : Lanes::all_bits) << i;
     return open;
   }
 
@@ -226,19 +233,19 @@ class BlendFacet {
   [[nodiscard]] bool fill_group(const NodeBatch& batch,
                                 std::size_t begin) const noexcept {
     using P = Pack<InstructionSet>;
-    const auto p = position_in<P>(batch, [begin](const double* from) {
-      return P(delaunay::Double4{from[begin], from[begin + 1], from[begin + 2],
-                                 from[begin + 3]});
-    });
+    using Lanes = LanesOf<InstructionSet>;
+    const auto p = position_in<P>(
+        batch, [begin](const double* from) { return P(Lanes::load(from + begin)); });
     bool is_plain = true;
     const Rises<P> rises = rises_at<P>(p, [&](const P& rise, double least, double most) {
       is_plain = is_plain && is_within(rise, free_part * least, free_part * most);
       return rise;
     });
     const P sum = blend<P>(p, rises, weights(p));
-    if (!is_plain || delaunay::bits_of(sum.lanes == sum.lanes) != 0xf) return false;
+    if (!is_plain || Lanes::word(Lanes::are_numbers(sum.lanes)) != Lanes::all_bits)
+      return false;
     const P values = P(models_[0].value) + sum;
-    for (std::size_t k = 0; k < NodeBatch::lanes && begin + k < batch.size(); ++k)
+    for (std::size_t k = 0; k < Lanes::size && begin + k < batch.size(); ++k)
       *batch.values[begin + k] = values.lanes[static_cast<int>(k)];
     return true;
   }
@@ -247,8 +254,9 @@ class BlendFacet {
   [[nodiscard, gnu::always_inline]] static bool is_within(const Pack<InstructionSet>& a,
                                                           double least,
                                                           double most) noexcept {
-    return delaunay::bits_of((a.lanes >= delaunay::four(least)) &
-                             (a.lanes <= delaunay::four(most))) == 0xf;
+    using Lanes = LanesOf<InstructionSet>;
+    return (Lanes::word(Lanes::are_from(a.lanes, Lanes::all(least))) &
+            Lanes::word(Lanes::are_from(Lanes::all(most), a.lanes))) == Lanes::all_bits;
   }
 
   static Point2 scaled(Point2 a, double s) noexcept { return {a.x * s, a.y * s}; }
@@ -283,9 +291,14 @@ class BlendFacet {
   template <class S>
   [[nodiscard, gnu::always_inline]] S edge_blend(std::size_t k, const Position<S>& p,
                                                  const Rises<S>& rises) const noexcept {
+    return edge_blend_at<S>(
+        k, kept_between_ends(Space::dot(along_[k], Space::difference(p, points_[k]))),
+        rises);
+  }
+  template <class S>
+  [[nodiscard, gnu::always_inline]] S edge_blend_at(
+      std::size_t k, const S& t, const Rises<S>& rises) const noexcept {
     const std::size_t next = (k + 1) % 3;
-    const S t =
-        kept_between_ends(Space::dot(along_[k], Space::difference(p, points_[k])));
     const S step = edge_step(t, edge_tension_[k]), s = t - S(0.5), u = t - t * t;
     const EdgeHump& h = humps_[k];
     const S curve = rises[k] + step * (rises[next] - rises[k]) +

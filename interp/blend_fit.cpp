@@ -101,7 +101,7 @@ BlendModel<Degree> fit_blend_model(
   double squared_radius = 0;
   for (const StencilNode& n : stencil)
     squared_radius = std::max(squared_radius, n.squared_distance);
-  const double radius = radius_factor * std::sqrt(squared_radius);
+  const double radius = radius_factor<Degree> * std::sqrt(squared_radius);
   model.per_radius = 1 / radius;
   if (!(model.per_radius < std::numeric_limits<double>::max())) {
     model.per_radius = 0;

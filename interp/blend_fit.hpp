@@ -55,8 +55,8 @@ struct BlendFitOptions {
 /// The polynomial of a node, fitted to the values around it.
 ///
 /// Weighted least squares through the node's value, weights ((R - d) / d)^2 with R 1.05
-/// times the largest distance, in coordinates divided by R; degrees 1, 2, 3 (4) and the
-/// constant are mixed by the inverse cube of how well each predicts the
+/// (degree 4: 1.02) times the largest distance, in coordinates divided by R; degrees 1,
+/// 2, 3 (4) and the constant are mixed by the inverse cube of how well each predicts the
 /// neighbours that it is not shown (leave-one-out residuals r / (1 - h), h the leverage).
 /// Where no degree predicts well, along tracks, in noise, at a gap, the constant prevails
 /// and the node gets tension. A ridge of 1e-10 with one step of refinement leaves
@@ -93,7 +93,7 @@ template <BlendSpace Space>
 
 /// Nearest nodes that a stencil of a degree should hold.
 [[nodiscard]] constexpr std::size_t num_nearest(int degree) noexcept {
-  return degree == 4 ? 24 : 16;
+  return degree == 4 ? 28 : 16;
 }
 
 }  // namespace delone::interp

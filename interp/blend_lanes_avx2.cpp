@@ -6,18 +6,18 @@
 namespace delone::interp {
 
 template <BlendSpace Space, int Degree>
-std::uint32_t fill_groups_avx2(const BlendFacet<Space, Degree>& facet,
+std::uint64_t fill_groups_avx2(const BlendFacet<Space, Degree>& facet,
                                const NodeBatch& batch) noexcept {
   return facet.template fill_groups_as<delaunay::Avx2>(batch);
 }
 
-template std::uint32_t fill_groups_avx2(const BlendFacet<PlaneSpace, 3>&,
+template std::uint64_t fill_groups_avx2(const BlendFacet<PlaneSpace, 3>&,
                                         const NodeBatch&) noexcept;
-template std::uint32_t fill_groups_avx2(const BlendFacet<PlaneSpace, 4>&,
+template std::uint64_t fill_groups_avx2(const BlendFacet<PlaneSpace, 4>&,
                                         const NodeBatch&) noexcept;
-template std::uint32_t fill_groups_avx2(const BlendFacet<SphereSpace, 3>&,
+template std::uint64_t fill_groups_avx2(const BlendFacet<SphereSpace, 3>&,
                                         const NodeBatch&) noexcept;
-template std::uint32_t fill_groups_avx2(const BlendFacet<SphereSpace, 4>&,
+template std::uint64_t fill_groups_avx2(const BlendFacet<SphereSpace, 4>&,
                                         const NodeBatch&) noexcept;
 
 }  // namespace delone::interp

@@ -12,7 +12,8 @@
 #include "delaunay/parallel.hpp"
 #include "interp/blend_fit.hpp"
 #include "interp/blend_mix.hpp"
-#include "interp/blend_samples.hpp"
+#include "interp/blend_operator_surroundings.hpp"
+#include "interp/blend_operator_temper.hpp"
 #include "interp/c1_surface.hpp"
 #include "interp/plane_cells.hpp"
 #include "interp/values.hpp"
@@ -26,12 +27,6 @@ namespace {
 constexpr std::array soft_nearness{1.0, 0.5, 0.25};
 constexpr double usual_nearness = 2;
 
-/// A degree whose weights add up to no more than `full` counts in full, to more than
-/// `most` not. Products of coefficients and terms that add up to more than `products`
-/// lose too many digits.
-struct MagnitudeLimits {
-  double full, most, products;
-};
 constexpr MagnitudeLimits soft_limits{12, 24, 256}, usual_limits{200, 400, 1024};
 
 /// Less of a degree is left out of a polynomial, as by fit_blend_model.
@@ -39,132 +34,20 @@ constexpr double least_part = 1e-6;
 /// Terms that others span up to less than this are not determined.
 constexpr double least_independence = 1e-7;
 
-[[nodiscard]] Point2 on_surface(Point2 p) noexcept { return p; }
-[[nodiscard]] Vector3 on_surface(Vector3 p) noexcept { return (1 / length(p)) * p; }
-[[nodiscard]] Point2 plus(Point2 a, Point2 b) noexcept { return {a.x + b.x, a.y + b.y}; }
-[[nodiscard]] Vector3 plus(Vector3 a, Vector3 b) noexcept { return a + b; }
-[[nodiscard]] Point2 times(double s, Point2 a) noexcept { return {s * a.x, s * a.y}; }
-[[nodiscard]] Vector3 times(double s, Vector3 a) noexcept { return s * a; }
-
-/// A node with its stencil, without values.
-template <BlendSpace Space, int Degree>
-class Surroundings {
- public:
-  using Triangulation = typename Space::Triangulation;
-  using Vector = typename Space::Vector;
-  using Terms = std::array<double, num_blend_terms(Degree)>;
-
-  Surroundings(const Space& space, const Triangulation& triangulation, Site site,
-               std::span<const StencilNode> stencil, double nearness,
-               std::span<const double> site_values = {})
-      : space_(space),
-        triangulation_(&triangulation),
-        site_(site),
-        nearness_(nearness),
-        center_(vector_of(site)),
-        axes_(Space::axes(center_)) {
-    double squared_radius = 0;
-    for (const StencilNode& n : stencil)
-      squared_radius = std::max(squared_radius, n.squared_distance);
-    const double radius = radius_factor * std::sqrt(squared_radius);
-    per_radius_ = 1 / radius;
-    if (!(per_radius_ < std::numeric_limits<double>::max())) {
-      per_radius_ = 0;
-      return;
-    }
-    for (const StencilNode& n : stencil) {
-      const double distance =
-          std::max(std::sqrt(n.squared_distance) / radius, least_distance);
-      const double ratio = (1 - distance) / distance;
-      const double rise =
-          site_values.empty() ? 0 : site_values[at(n.site)] - site_values[at(site)];
-      samples_.add(terms_at(vector_of(n.site)), rise, std::pow(ratio, nearness),
-                   n.is_neighbor);
-    }
-    samples_.factor();
-  }
-
-  /// 0: the stencil has no extent that a number can hold.
-  [[nodiscard]] double per_radius() const noexcept { return per_radius_; }
-  [[nodiscard]] double nearness() const noexcept { return nearness_; }
-  [[nodiscard]] const BlendSamples<Degree>& samples() const noexcept { return samples_; }
-  [[nodiscard]] BlendInfluence<Degree> influence(int degree) const {
-    return samples_.influence(samples_.end_term(degree));
-  }
-
-  /// The largest sum of magnitudes of the weights that the polynomial of a degree takes
-  /// in the triangles around; infinite where it is the small difference of large terms.
-  [[nodiscard]] double magnitude(int degree, const MagnitudeLimits& limits) const {
-    const BlendInfluence<Degree> x = influence(degree);
-    double largest = 0;
-    for_each_probe([&](const Vector& p) {
-      // Not a number counts as too large.
-      const double here =
-          magnitude_at(terms_at(p), x, samples_.end_term(degree), limits.products);
-      if (!(here <= largest)) largest = here;
-      return largest <= limits.most;
-    });
-    return largest;
-  }
-
- private:
-  [[nodiscard]] Vector vector_of(Site s) const {
-    return space_.vector(triangulation_->points()[at(s)]);
-  }
-  [[nodiscard]] Terms terms_at(const Vector& p) const {
-    return model_terms<Degree>(
-        Space::local(axes_, Space::position(Space::difference(p, center_)), per_radius_));
-  }
-
-  [[nodiscard]] double magnitude_at(const Terms& terms, const BlendInfluence<Degree>& x,
-                                    std::size_t num_terms, double most_products) const {
-    double sum = 0, magnitude = 0, of_products = 0;
-    for (std::size_t r = 0; r < samples_.size(); ++r) {
-      double weight = 0;
-      for (std::size_t c = 0; c < num_terms; ++c) {
-        weight += terms[c] * x[c][r];
-        of_products += std::abs(terms[c] * x[c][r]);
-      }
-      sum += weight;
-      magnitude += std::abs(weight);
-    }
-    if (!(of_products < most_products)) return std::numeric_limits<double>::infinity();
-    return magnitude + std::abs(1 - sum);
-  }
-
-  // As long as f says so: the middles of edges and triangles around. Towards the
-  // neighbours themselves the polynomial does not count.
-  template <class F>
-  void for_each_probe(F f) const {
-    const Adjacency& t = triangulation_->adjacency();
-    Arc a = t.first_arc(site_);
-    for (std::int32_t i = 0; i < t.degree(site_); ++i, a = t.next(a)) {
-      const Vector to = vector_of(t.target(a));
-      if (!f(on_surface(times(0.5, plus(center_, to))))) return;
-      if (!t.has_left(a)) continue;
-      const Vector third = vector_of(t.left(a)[2]);
-      if (!f(on_surface(times(1.0 / 3, plus(center_, plus(to, third)))))) return;
-    }
-  }
-
-  Space space_;
-  const Triangulation* triangulation_;
-  Site site_;
-  double nearness_;
-  Vector center_;
-  typename Space::Axes axes_;
-  double per_radius_ = 0;
-  BlendSamples<Degree> samples_;
-};
+[[nodiscard]] bool is_known(Gradients gradients) noexcept {
+  return gradients == Gradients::global || gradients == Gradients::given;
+}
 
 /// How much a degree may count, 0 .. 1.
 template <BlendSpace Space, int Degree>
-double trust_in(const Surroundings<Space, Degree>& around, int degree,
+double trust_in(const BlendSurroundings<Space, Degree>& around, int degree,
                 const MagnitudeLimits& limits) {
+  const int first = around.is_slope_known() ? 2 : 1;
+  if (degree < first) return 1;
   if (around.per_radius() == 0 ||
       around.samples().size() < BlendSamples<Degree>::end_term(degree))
     return 0;
-  for (int d = 1; d <= degree; ++d)
+  for (int d = first; d <= degree; ++d)
     if (!(around.samples().independence(d) >= least_independence)) return 0;
   const double magnitude = around.magnitude(degree, limits);
   if (!(magnitude < limits.most)) return 0;
@@ -174,7 +57,7 @@ double trust_in(const Surroundings<Space, Degree>& around, int degree,
 /// The parts of degrees that are wanted, as far as they can be trusted; what is left goes
 /// to the next lower one.
 template <BlendSpace Space, int Degree>
-C1NodeChoice trusted(const Surroundings<Space, Degree>& around,
+C1NodeChoice trusted(const BlendSurroundings<Space, Degree>& around,
                      const std::array<double, Degree + 1>& wanted,
                      const MagnitudeLimits& limits, double least_tension) {
   C1NodeChoice choice;
@@ -189,8 +72,7 @@ C1NodeChoice trusted(const Surroundings<Space, Degree>& around,
     left = whole - choice.parts[d];
   }
   choice.parts[0] = wanted[0] + left;
-  choice.tension = std::min(
-      most_tension, least_tension + (1 - least_tension) * std::sqrt(choice.parts[0]));
+  choice.tension = tension_of(choice.parts[0], least_tension);
   return choice;
 }
 
@@ -202,6 +84,10 @@ std::array<double, Degree + 1> wanted_by_values(const BlendSamples<Degree>& samp
   if (!(errors[0] > 0)) return {1};
   if (samples.size() == 2) errors[1] = 0;
   return mix_degrees(errors, doubt);
+}
+
+[[nodiscard]] Gradients known_or_local(Gradients gradients) noexcept {
+  return is_known(gradients) ? gradients : Gradients::local;
 }
 
 /// `choose(site, stencil)` for every site.
@@ -224,15 +110,19 @@ std::vector<C1NodeChoice> for_all_nodes(const Space& space,
 template <BlendSpace Space, int Degree>
 std::vector<C1NodeChoice> from_geometry(const Space& space,
                                         const typename Space::Triangulation& t,
-                                        double tension, const RunOptions& run) {
+                                        const C1Options& options, const RunOptions& run) {
+  const double tension = options.tension.value_or(0);
   std::array<double, Degree + 1> wanted{};
   wanted.back() = 1;
+  const GradientSamples<Space> samples(space, t, options.gradients, run);
   return for_all_nodes<Space, Degree>(
       space, t, run, [&](Site s, std::span<const StencilNode> stencil) {
         C1NodeChoice best;
         for (const double nearness : soft_nearness) {
-          const Surroundings<Space, Degree> around(space, t, s, stencil, nearness);
-          const C1NodeChoice choice = trusted(around, wanted, soft_limits, tension);
+          const BlendSurroundings<Space, Degree> around(
+              space, t, s, stencil, nearness, known_or_local(options.gradients));
+          const C1NodeChoice choice = samples.tempered(
+              around, s, stencil, trusted(around, wanted, soft_limits, tension), tension);
           if (nearness == soft_nearness.front() ||
               choice.parts[Degree] > best.parts[Degree])
             best = choice;
@@ -249,8 +139,8 @@ std::vector<C1NodeChoice> from_values(const Space& space,
                                       const Stiffness& stiffness, const RunOptions& run) {
   return for_all_nodes<Space, Degree>(
       space, t, run, [&](Site s, std::span<const StencilNode> stencil) {
-        const Surroundings<Space, Degree> around(space, t, s, stencil, usual_nearness,
-                                                 site_values);
+        const BlendSurroundings<Space, Degree> around(
+            space, t, s, stencil, usual_nearness, Gradients::local, site_values);
         if (around.per_radius() == 0) return C1NodeChoice{};
         return trusted(around, wanted_by_values(around.samples(), stiffness.doubt),
                        usual_limits, stiffness.tension);
@@ -262,13 +152,16 @@ std::shared_ptr<const C1Choices> all_choices(const Space& space,
                                              const typename Space::Triangulation& t,
                                              const C1Options& options,
                                              const RunOptions& run) {
-  check(options);
+  C1Options without_gradients = options;
+  without_gradients.gradients = Gradients::automatic;
+  check(without_gradients);
   check_linear(options);
-  const double tension = options.tension.value_or(0);
   return std::make_shared<const C1Choices>(
-      C1Choices{options.degree, options.degree == FitDegree::quartic
-                                    ? from_geometry<Space, 4>(space, t, tension, run)
-                                    : from_geometry<Space, 3>(space, t, tension, run)});
+      C1Choices{options.degree,
+                options.degree == FitDegree::quartic
+                    ? from_geometry<Space, 4>(space, t, options, run)
+                    : from_geometry<Space, 3>(space, t, options, run),
+                known_or_local(options.gradients)});
 }
 
 /// The stiffness that a surface chose, known by its tension.
@@ -291,10 +184,12 @@ std::shared_ptr<const C1Choices> choices_of(
       stiffness_taken(options, Surface(t, row_values, options, run).fit());
   const std::vector<double> values =
       values_at_sites(t->sites(), t->num_sites(), row_values, options.duplicates);
-  return std::make_shared<const C1Choices>(C1Choices{
-      options.degree, options.degree == FitDegree::quartic
-                          ? from_values<Space, 4>(space, *t, values, stiffness, run)
-                          : from_values<Space, 3>(space, *t, values, stiffness, run)});
+  return std::make_shared<const C1Choices>(
+      C1Choices{options.degree,
+                options.degree == FitDegree::quartic
+                    ? from_values<Space, 4>(space, *t, values, stiffness, run)
+                    : from_values<Space, 3>(space, *t, values, stiffness, run),
+                Gradients::local});
 }
 
 }  // namespace
@@ -306,14 +201,14 @@ void check_linear(const C1Options& options) {
         "choices "
         "and no operator; leave the bounds out");
   }
-  if (options.gradients == Gradients::global || options.gradients == Gradients::given)
-    throw Error("fixed choices and operators are of local gradients; ask for these");
 }
 
 void check_choices(const C1Options& options, Site num_sites) {
   if (!options.choices) return;
   check_linear(options);
   const C1Choices& choices = *options.choices;
+  if (options.gradients != Gradients::automatic && options.gradients != choices.gradients)
+    throw Error("the choices are for other gradients; make them with the same ones");
   if (choices.degree != options.degree)
     throw Error("the choices are for another degree of fits; give both the same");
   if (choices.nodes.size() != at(num_sites)) {
@@ -333,19 +228,27 @@ void check_choices(const C1Options& options, Site num_sites) {
 
 template <int Degree>
 BlendModel<Degree> BlendNode<Degree>::model(Site node,
-                                            std::span<const double> site_values) const {
+                                            std::span<const double> site_values,
+                                            std::array<double, 2> slope) const {
   BlendModel<Degree> result;
   result.value = site_values[at(node)];
   result.per_radius = per_radius;
   result.least = -std::numeric_limits<double>::infinity();
   result.most = std::numeric_limits<double>::infinity();
   result.tension = tension;
-  for (std::size_t c = 0; c < result.coefficients.size(); ++c) {
-    for (std::size_t k = 0; k < sites.size(); ++k) {
-      result.coefficients[c] +=
-          weights_of(c)[k] * (site_values[at(sites[k])] - result.value);
-    }
+  const bool is_slope_known = !places.empty();
+  for (double& part : slope) part = is_slope_known ? part / per_radius : 0;
+  std::vector<double> rises;
+  for (std::size_t k = 0; k < sites.size(); ++k) {
+    rises.push_back(site_values[at(sites[k])] - result.value);
+    if (is_slope_known) rises[k] -= slope[0] * places[k][0] + slope[1] * places[k][1];
   }
+  for (std::size_t c = 0; c < result.coefficients.size(); ++c) {
+    for (std::size_t k = 0; k < sites.size(); ++k)
+      result.coefficients[c] += weights_of(c)[k] * rises[k];
+  }
+  for (std::size_t i = 0; i < 2 && is_slope_known; ++i)
+    result.coefficients[i] = gradient_part * slope[i];
   return result;
 }
 
@@ -353,13 +256,15 @@ template <BlendSpace Space, int Degree>
 BlendNode<Degree> blend_node(const Space& space,
                              const typename Space::Triangulation& triangulation,
                              Site site, std::span<const StencilNode> stencil,
-                             const C1NodeChoice& choice) {
-  const Surroundings<Space, Degree> around(space, triangulation, site, stencil,
-                                           choice.nearness);
+                             const C1NodeChoice& choice, Gradients gradients) {
+  const BlendSurroundings<Space, Degree> around(space, triangulation, site, stencil,
+                                                choice.nearness, gradients);
   BlendNode<Degree> node;
   node.per_radius = around.per_radius();
   node.tension = choice.tension;
   if (node.per_radius == 0 || choice.parts[0] == 1) return node;
+  node.places = around.places();
+  node.gradient_part = 1 - choice.parts[0];
   for (const StencilNode& n : stencil) node.sites.push_back(n.site);
   node.weights.resize(num_blend_terms(Degree) * stencil.size());
   for (int degree = 1; degree <= Degree; ++degree) {
@@ -406,18 +311,18 @@ template struct BlendNode<4>;
 template BlendNode<3> blend_node<PlaneSpace, 3>(const PlaneSpace&,
                                                 const tripack::Triangulation&, Site,
                                                 std::span<const StencilNode>,
-                                                const C1NodeChoice&);
+                                                const C1NodeChoice&, Gradients);
 template BlendNode<4> blend_node<PlaneSpace, 4>(const PlaneSpace&,
                                                 const tripack::Triangulation&, Site,
                                                 std::span<const StencilNode>,
-                                                const C1NodeChoice&);
+                                                const C1NodeChoice&, Gradients);
 template BlendNode<3> blend_node<SphereSpace, 3>(const SphereSpace&,
                                                  const stripack::Triangulation&, Site,
                                                  std::span<const StencilNode>,
-                                                 const C1NodeChoice&);
+                                                 const C1NodeChoice&, Gradients);
 template BlendNode<4> blend_node<SphereSpace, 4>(const SphereSpace&,
                                                  const stripack::Triangulation&, Site,
                                                  std::span<const StencilNode>,
-                                                 const C1NodeChoice&);
+                                                 const C1NodeChoice&, Gradients);
 
 }  // namespace delone::interp

@@ -12,7 +12,9 @@ namespace delone::interp {
 
 // What fits of all kinds share: the radius of a stencil beside its farthest node, the
 // least distance (of the radius) in weights, and the most tension of a node.
-inline constexpr double radius_factor = 1.05, least_distance = 0.001, most_tension = 0.98;
+template <int Degree>
+inline constexpr double radius_factor = Degree == 4 ? 1.02 : 1.05;
+inline constexpr double least_distance = 0.001, most_tension = 0.98;
 
 /// First of the terms that a degree adds.
 [[nodiscard]] constexpr std::size_t first_blend_term(int degree) noexcept {

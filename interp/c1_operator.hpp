@@ -15,7 +15,7 @@ namespace delone::interp {
 /// A row holds the nodes of three stencils, 30 to 40 weights, some of them negative.
 /// Their magnitudes add up to 1 to 3 at most places; at worst, at hulls and beside
 /// slivers, to some 20 with the choices from geometry. By as much errors of the data are
-/// amplified. Outside::linear: the surface's own continuation, here in no bounds. Local
+/// amplified. Outside::linear (plane): its own continuation, here in no bounds. Local
 /// bounds, and gradients that are not local, are refused with Error, as is what PlaneC1
 /// refuses; otherwise as linear_operator. Cost: some 5 microseconds a target, and 20 for
 /// each node and edge around some target.

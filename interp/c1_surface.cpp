@@ -1,16 +1,13 @@
 #include "interp/c1_surface.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
 #include <utility>
 #include <variant>
 
-#include "delaunay/error.hpp"
 #include "interp/blend_cells.hpp"
 #include "interp/blend_scan.hpp"
+#include "interp/blend_values.hpp"
+#include "interp/node_gradients.hpp"
+#include "interp/region_sum.hpp"
 #include "interp/triangle_integral.hpp"
 
 namespace delone::interp {
@@ -22,71 +19,6 @@ Derivatives2 in_plane(const SecondOrder& f) {
 }
 DerivativesSphere on_sphere(const SecondOrder& f) {
   return {f.value, f.x, f.y, f.xx, f.xy, f.yy};
-}
-
-/// A tangent vector by scaled length.
-Point2 scaled_gradient(const tripack::Triangulation&, double scale, Site,
-                       const Gradient2& g) {
-  return {g.x / scale, g.y / scale};
-}
-Vector3 scaled_gradient(const stripack::Triangulation& t, double, Site s,
-                        const GradientSphere& g) {
-  const stripack::Direction& p = t.points()[at(s)];
-  const Vector3 east = east_at(p);
-  return g.east * east + g.north * cross(vector(p), east);
-}
-
-std::array<double, 2> parts(const Gradient2& g) { return {g.x, g.y}; }
-std::array<double, 2> parts(const GradientSphere& g) { return {g.east, g.north}; }
-
-bool is_known(const auto& gradient) {
-  return std::ranges::none_of(parts(gradient), [](double a) { return std::isnan(a); });
-}
-
-bool is_usable(const Point2& g) { return std::isfinite(g.x) && std::isfinite(g.y); }
-bool is_usable(const Vector3& g) { return std::isfinite(dot(g, g)); }
-
-Point2 sum_of(Point2 a, Point2 b) { return {a.x + b.x, a.y + b.y}; }
-Vector3 sum_of(Vector3 a, Vector3 b) { return a + b; }
-Point2 part_of(Point2 a, double part) { return {part * a.x, part * a.y}; }
-Vector3 part_of(Vector3 a, double part) { return part * a; }
-
-void check_gradients(std::size_t num_rows, std::size_t num_gradients) {
-  if (num_rows == num_gradients) return;
-  throw Error("there are " + std::to_string(num_gradients) + " gradients for " +
-              std::to_string(num_rows) + " points; give one gradient a point");
-}
-
-/// Of every site the mean of its rows' gradients; NaN where none is known.
-template <BlendSpace Space, class Gradient>
-std::vector<typename Space::Vector> gradients_at_sites(
-    const typename Space::Triangulation& t, double scale,
-    std::span<const Gradient> row_gradients) {
-  check_gradients(t.sites().size(), row_gradients.size());
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const RowsOfSites rows = rows_of_sites(t.sites(), t.num_sites());
-  std::vector<typename Space::Vector> result(at(t.num_sites()));
-  for (Site s = 0; s < t.num_sites(); ++s) {
-    typename Space::Vector sum{};
-    int count = 0;
-    // Summed in an order that is not that of the rows.
-    std::vector<delaunay::Node> known(rows.of(s).begin(), rows.of(s).end());
-    std::erase_if(known, [&](auto row) { return !is_known(row_gradients[at(row)]); });
-    std::ranges::sort(known, {}, [&](auto row) { return parts(row_gradients[at(row)]); });
-    for (const delaunay::Node row : known) {
-      const auto g = scaled_gradient(t, scale, s, row_gradients[at(row)]);
-      if (!is_usable(g)) {
-        throw Error("row " + std::to_string(row) +
-                        ": the gradient is not a finite number; give NaN where it is "
-                        "not known",
-                    {row});
-      }
-      sum = sum_of(sum, g);
-      ++count;
-    }
-    result[at(s)] = part_of(sum, count == 0 ? unknown : 1.0 / count);
-  }
-  return result;
 }
 
 /// The cells of either degree.
@@ -108,6 +40,10 @@ class Blend {
   template <class F>
   decltype(auto) visit(F f) const {
     return std::visit([&](const auto& cells) { return f(*cells); }, cells_);
+  }
+  [[nodiscard]] std::vector<double> values(std::span<const Point> points,
+                                           const RunOptions& run) const {
+    return visit([&](const auto& cells) { return blend_values(cells, points, run); });
   }
   /// `read(cells, point, cursor)` at every point.
   template <class Result, class Read>
@@ -142,10 +78,6 @@ class Blend {
   }
 
   AnyCells cells_;
-};
-
-constexpr auto read_value = [](const auto& cells, const auto& p, Cursor& cursor) {
-  return cells.value(p, cursor);
 };
 
 }  // namespace
@@ -197,7 +129,7 @@ Derivatives2 PlaneC1::derivatives(tripack::Point2 p) const {
 
 std::vector<double> PlaneC1::values(std::span<const tripack::Point2> points,
                                     const RunOptions& run) const {
-  return blend_->read_all<double>(points, run, read_value);
+  return blend_->values(points, run);
 }
 
 std::vector<Gradient2> PlaneC1::gradients(std::span<const tripack::Point2> points,
@@ -224,6 +156,13 @@ Field PlaneC1::grid(const Grid& grid, const RunOptions& run) const {
 double PlaneC1::integral(const RunOptions& run) const {
   return blend_->visit([&](const auto& cells) {
     return integral_over_triangles(PlaneSpace{cells.scale()}, cells, run);
+  });
+}
+
+RegionIntegral PlaneC1::integral(const PlaneRegion& region, const RunOptions& run) const {
+  return blend_->visit([&](const auto& cells) {
+    return integral_over_region(PlaneSpace{cells.scale()}, cells, region, PlaneArea{},
+                                run);
   });
 }
 
@@ -265,7 +204,7 @@ DerivativesSphere SphereC1::derivatives(const stripack::Direction& p) const {
 
 std::vector<double> SphereC1::values(std::span<const stripack::Direction> points,
                                      const RunOptions& run) const {
-  return blend_->read_all<double>(points, run, read_value);
+  return blend_->values(points, run);
 }
 
 std::vector<GradientSphere> SphereC1::gradients(
@@ -294,6 +233,13 @@ Field SphereC1::grid(const Grid& lonlat_grid, const RunOptions& run) const {
 double SphereC1::integral(const RunOptions& run) const {
   return blend_->visit([&](const auto& cells) {
     return integral_over_triangles(SphereSpace{}, cells, run);
+  });
+}
+
+RegionIntegral SphereC1::integral(const SphereRegion& region, AreaUnit unit,
+                                  const RunOptions& run) const {
+  return blend_->visit([&](const auto& cells) {
+    return integral_over_region(SphereSpace{}, cells, region, SphereArea(unit), run);
   });
 }
 

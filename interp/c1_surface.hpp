@@ -8,6 +8,7 @@
 #include "interp/c1_options.hpp"
 #include "interp/grid.hpp"
 #include "interp/linear_surface.hpp"
+#include "interp/region_integral.hpp"
 #include "stripack/triangulation.hpp"
 #include "tripack/triangulation.hpp"
 
@@ -89,6 +90,9 @@ class PlaneC1 {
   /// Over the hull, as value times area; 0 without triangles. Knows no max_distance.
   /// By a rule of 36 places a triangle that is exact for polynomials of degree 10.
   [[nodiscard]] double integral(const RunOptions& run = {}) const;
+  /// Of the part of a region that is triangulated; see region_integral.hpp.
+  [[nodiscard]] RegionIntegral integral(const PlaneRegion& region,
+                                        const RunOptions& run = {}) const;
 
  private:
   std::shared_ptr<const PlaneBlend> blend_;
@@ -97,6 +101,15 @@ class PlaneC1 {
 /// The same on the sphere. Constants and first-degree harmonics are reproduced (to
 /// rounding, where the values around a node determine its polynomial). Coordinates about
 /// a node are orthographic; nothing depends on where the poles are.
+///
+/// Outside::linear, for sites in a hemisphere: with c the cosine of the distance to the
+/// nearest place of the rim (the hull's boundary), c^2 (3 - 2 c) of what continues that
+/// place as in the plane, and the rest of one value, the mean along the rim by length. So
+/// the continuation is continuously differentiable across the hull and all round the
+/// globe, is that one value 90 degrees away and beyond, and stays within the same bounds.
+/// Sites on one great circle: the value of the nearest place of the chain in the place of
+/// its continuation; one position: its value everywhere. Cost: O(sqrt h) for each point
+/// outside, h edges of the rim.
 class SphereC1 {
  public:
   SphereC1(std::shared_ptr<const stripack::Triangulation> triangulation,
@@ -122,6 +135,10 @@ class SphereC1 {
   /// Over the triangulated region, as value times steradians; 0 without triangles. Knows
   /// no max_distance.
   [[nodiscard]] double integral(const RunOptions& run = {}) const;
+  /// Of the part of a region that is triangulated; see region_integral.hpp.
+  [[nodiscard]] RegionIntegral integral(const SphereRegion& region,
+                                        AreaUnit unit = AreaUnit::steradian,
+                                        const RunOptions& run = {}) const;
 
  private:
   std::shared_ptr<const SphereBlend> blend_;

@@ -15,11 +15,6 @@ using delaunay::CellScale;
 
 constexpr double cells = 65536;
 
-Buffer<KeyedRow> sorted(Buffer<KeyedRow> items) {
-  delaunay::sort_by_key(items);
-  return items;
-}
-
 bool is_finite(tripack::Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 // The sphere cut open from the south pole along four meridians and laid flat on a square,
@@ -33,7 +28,8 @@ std::pair<double, double> unfolded(const stripack::Direction& p) {
 
 }  // namespace
 
-Buffer<KeyedRow> order_along_curve(std::span<const tripack::Point2> points) {
+Buffer<KeyedRow> order_along_curve(std::span<const tripack::Point2> points,
+                                   const RunOptions& run) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   double low_x = inf, low_y = inf, high_x = -inf, high_y = -inf;
   for (const tripack::Point2 p : points) {
@@ -44,26 +40,21 @@ Buffer<KeyedRow> order_along_curve(std::span<const tripack::Point2> points) {
   const double half = std::max(delaunay::half_extent(low_x, high_x),
                                delaunay::half_extent(low_y, high_y));
   const CellScale x(low_x, half, cells), y(low_y, half, cells);
-  Buffer<KeyedRow> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool finite = is_finite(points[i]);
-    items[i] =
-        KeyedRow{finite ? delaunay::hilbert_key(x.cell(points[i].x), y.cell(points[i].y))
-                        : 0}
-            << 32 |
-        i;
-  }
-  return sorted(std::move(items));
+  const auto key = [&](std::size_t i) {
+    const tripack::Point2 p = points[i];
+    return is_finite(p) ? delaunay::hilbert_key(x.cell(p.x), y.cell(p.y)) : 0;
+  };
+  return delaunay::sorted_by_key(points.size(), key, run);
 }
 
-Buffer<KeyedRow> order_along_curve(std::span<const stripack::Direction> points) {
+Buffer<KeyedRow> order_along_curve(std::span<const stripack::Direction> points,
+                                   const RunOptions& run) {
   const CellScale scale(-1, 1, cells);
-  Buffer<KeyedRow> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const auto key = [&](std::size_t i) {
     const auto [u, v] = unfolded(points[i]);
-    items[i] = KeyedRow{delaunay::hilbert_key(scale.cell(u), scale.cell(v))} << 32 | i;
-  }
-  return sorted(std::move(items));
+    return delaunay::hilbert_key(scale.cell(u), scale.cell(v));
+  };
+  return delaunay::sorted_by_key(points.size(), key, run);
 }
 
 }  // namespace delone::interp

@@ -7,6 +7,7 @@
 
 #include "delaunay/curve_order.hpp"
 #include "delaunay/parallel.hpp"
+#include "interp/fresh_values.hpp"
 #include "interp/index.hpp"
 #include "stripack/direction.hpp"
 #include "tripack/point.hpp"
@@ -33,9 +34,9 @@ struct Cursor {
 /// Indices of the points (at most 2^31) with keys along a space-filling curve of the
 /// plane or the sphere, sorted.
 [[nodiscard]] delaunay::Buffer<delaunay::KeyedRow> order_along_curve(
-    std::span<const tripack::Point2> points);
+    std::span<const tripack::Point2> points, const RunOptions& run);
 [[nodiscard]] delaunay::Buffer<delaunay::KeyedRow> order_along_curve(
-    std::span<const stripack::Direction> points);
+    std::span<const stripack::Direction> points, const RunOptions& run);
 
 /// A piece of points in the order of a curve.
 class CurveChunk {
@@ -76,7 +77,7 @@ void visit_along_curve(std::span<const Point> points, const RunOptions& run,
   for (std::size_t begin = 0; begin < points.size(); begin += CurveChunk::block) {
     const auto part =
         points.subspan(begin, std::min(CurveChunk::block, points.size() - begin));
-    const delaunay::Buffer<delaunay::KeyedRow> order = order_along_curve(part);
+    const delaunay::Buffer<delaunay::KeyedRow> order = order_along_curve(part, run);
     const auto size = static_cast<std::int64_t>(part.size());
     const auto visit_chunk = [&](std::int64_t first, std::int64_t last) {
       visit(CurveChunk(std::span(order.data() + first, at(last - first)), begin,
@@ -101,7 +102,7 @@ template <class Result, class Point, class Evaluate>
                                                        Evaluate evaluate) {
   constexpr std::int64_t ahead =
       8;  // queries are read in random order: ask for them in time
-  std::vector<Result> results(points.size());
+  std::vector<Result> results = fresh_values<Result>(points.size());
   visit_along_curve(points, run, {}, [&](const CurveChunk& chunk) {
     Cursor cursor = cursor_along_curve(t, chunk.place());
     for (std::int64_t k = 0; k < chunk.size(); ++k) {

@@ -89,13 +89,9 @@ std::vector<Tangent> CurvatureNetwork::product(const std::vector<Tangent>& x,
 }
 
 // Chebyshev's iteration for eigenvalues in 1 +- 1/2.
-std::vector<Tangent> CurvatureNetwork::solve(int num_steps, const RunOptions& run) && {
-  unit_ = 0;
-  for (const End& e : ends_) unit_ = std::max(unit_, std::abs(e.slope));
-  std::vector<Tangent> x(num_nodes());
-  if (!(unit_ > 0)) return x;
-  make_blocks_unit(run);
-  std::vector<Tangent> residual = right_side(run), step = residual;
+std::vector<Tangent> CurvatureNetwork::iterated(std::vector<Tangent> right, int num_steps,
+                                                const RunOptions& run) const {
+  std::vector<Tangent> x(num_nodes()), residual = std::move(right), step = residual;
   constexpr double half_width = 0.5;
   double factor = half_width;
   for (int i = 0; i < num_steps; ++i) {
@@ -110,13 +106,60 @@ std::vector<Tangent> CurvatureNetwork::solve(int num_steps, const RunOptions& ru
     });
     factor = next;
   }
+  return x;
+}
+
+std::vector<Tangent> CurvatureNetwork::out_of_unit_coordinates(
+    std::vector<Tangent> x, double unit, const RunOptions& run) const {
   for_each_node(run, [&](std::size_t v, std::size_t, std::size_t) {
     const Factor& f = factors_[v];
     const double second = f.second > 0 ? x[v][1] / f.second : 0;
     const double first = f.first > 0 ? (x[v][0] - f.cross * second) / f.first : 0;
-    x[v] = {unit_ * first, unit_ * second};
+    x[v] = {unit * first, unit * second};
   });
   return x;
+}
+
+std::vector<Tangent> CurvatureNetwork::solve(int num_steps, const RunOptions& run) && {
+  unit_ = 0;
+  for (const End& e : ends_) unit_ = std::max(unit_, std::abs(e.slope));
+  if (!(unit_ > 0)) return std::vector<Tangent>(num_nodes());
+  make_blocks_unit(run);
+  return out_of_unit_coordinates(iterated(right_side(run), num_steps, run), unit_, run);
+}
+
+CurvatureNetwork CurvatureNetwork::in_unit_coordinates(const RunOptions& run) && {
+  make_blocks_unit(run);
+  return std::move(*this);
+}
+
+std::vector<Tangent> CurvatureNetwork::gradients(std::span<const double> slopes,
+                                                 int num_steps,
+                                                 const RunOptions& run) const {
+  std::vector<Tangent> right(num_nodes());
+  for_each_node(run, [&](std::size_t v, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const double pull = 6 * std::sqrt(ends_[k].weight) * slopes[k];
+      right[v][0] += pull * ends_[k].direction[0];
+      right[v][1] += pull * ends_[k].direction[1];
+    }
+  });
+  return out_of_unit_coordinates(iterated(std::move(right), num_steps, run), 1, run);
+}
+
+std::vector<double> CurvatureNetwork::slope_weights(std::vector<Tangent> gradient_weights,
+                                                    int num_steps,
+                                                    const RunOptions& run) const {
+  for_each_node(run, [&](std::size_t v, std::size_t, std::size_t) {
+    gradient_weights[v] = to_unit_weights(v, gradient_weights[v]);
+  });
+  const std::vector<Tangent> x = iterated(std::move(gradient_weights), num_steps, run);
+  std::vector<double> weights(ends_.size());
+  for_each_node(run, [&](std::size_t v, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      weights[k] = 6 * std::sqrt(ends_[k].weight) * dot(ends_[k].direction, x[v]);
+  });
+  return weights;
 }
 
 }  // namespace delone::interp

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,33 @@ class CurvatureNetwork {
   /// In so many steps; 24 leave 1e-14 of the error. O(edges) a step.
   [[nodiscard]] std::vector<Tangent> solve(int num_steps, const RunOptions& run) &&;
 
+  /// The network in the coordinates in which its blocks are unit matrices, for many sets
+  /// of slopes: what `gradients` and `slope_weights` need.
+  [[nodiscard]] CurvatureNetwork in_unit_coordinates(const RunOptions& run) &&;
+  /// What solve() gives with these slopes, one an end, up to rounding.
+  [[nodiscard]] std::vector<Tangent> gradients(std::span<const double> slopes,
+                                               int num_steps,
+                                               const RunOptions& run) const;
+  /// The transpose: from weights of the gradients to those of the slopes.
+  [[nodiscard]] std::vector<double> slope_weights(std::vector<Tangent> gradient_weights,
+                                                  int num_steps,
+                                                  const RunOptions& run) const;
+
+  [[nodiscard]] std::size_t num_nodes() const noexcept { return offsets_.size() - 1; }
+  [[nodiscard]] const std::vector<std::int32_t>& offsets() const noexcept {
+    return offsets_;
+  }
+  /// In unit coordinates their directions, by the root of their weight.
+  [[nodiscard]] const std::vector<End>& ends() const noexcept { return ends_; }
+  /// Weights of the gradient of a node in unit coordinates, from those of the gradient.
+  [[nodiscard]] Tangent to_unit_weights(std::size_t node,
+                                        const Tangent& weights) const noexcept {
+    const Factor& f = factors_[node];
+    if (!(f.first > 0 && f.second > 0)) return {};
+    return {weights[0] / f.first,
+            (weights[1] - f.cross * (weights[0] / f.first)) / f.second};
+  }
+
  private:
   /// Rows of the factor of a 2 x 2 block: (first, 0), (cross, second).
   struct Factor {
@@ -53,12 +82,17 @@ class CurvatureNetwork {
   };
 
   void make_blocks_unit(const RunOptions& run);
+  /// By Chebyshev's iteration; the matrix and what is done are symmetric.
+  [[nodiscard]] std::vector<Tangent> iterated(std::vector<Tangent> right, int num_steps,
+                                              const RunOptions& run) const;
+  [[nodiscard]] std::vector<Tangent> out_of_unit_coordinates(std::vector<Tangent> x,
+                                                             double unit,
+                                                             const RunOptions& run) const;
   [[nodiscard]] std::vector<Tangent> right_side(const RunOptions& run) const;
   [[nodiscard]] std::vector<Tangent> product(const std::vector<Tangent>& x,
                                              const RunOptions& run) const;
   template <class Body>
   void for_each_node(const RunOptions& run, Body body) const;
-  [[nodiscard]] std::size_t num_nodes() const noexcept { return offsets_.size() - 1; }
 
   std::vector<std::int32_t> offsets_;
   std::vector<End> ends_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "interp/axis_table.hpp"
@@ -34,6 +35,8 @@ class GlobeTable {
   [[nodiscard]] const AxisTable& lon() const noexcept { return lon_; }
   [[nodiscard]] const double* cos_lon() const noexcept { return cos_lon_.data(); }
   [[nodiscard]] const double* sin_lon() const noexcept { return sin_lon_.data(); }
+  [[nodiscard]] const double* cos_lat() const noexcept { return cos_lat_.data(); }
+  [[nodiscard]] const double* sin_lat() const noexcept { return sin_lat_.data(); }
   [[nodiscard]] double cos_lat(std::int64_t j) const noexcept { return cos_lat_[at(j)]; }
   [[nodiscard]] double sin_lat(std::int64_t j) const noexcept { return sin_lat_[at(j)]; }
   [[nodiscard]] bool is_pole(std::int64_t j) const noexcept {
@@ -55,6 +58,15 @@ class GlobeTable {
     while (!range.is_empty() && is_pole(range.begin)) ++range.begin;
     while (!range.is_empty() && is_pole(range.end - 1)) --range.end;
     return range;
+  }
+  /// The first row whose sine is not below `sine`; rows() if there is none.
+  [[nodiscard]] std::int64_t first_row_from(double sine) const noexcept {
+    const std::int64_t guess =
+        lat_.first_at(lat_.position(std::asin(sine) * (180 / std::numbers::pi)));
+    if ((guess == 0 || sin_lat_[at(guess - 1)] < sine) &&
+        (guess == rows() || sin_lat_[at(guess)] >= sine))
+      return guess;
+    return std::lower_bound(sin_lat_.begin(), sin_lat_.end(), sine) - sin_lat_.begin();
   }
   /// Columns in a whole turn.
   [[nodiscard]] double turn() const noexcept { return 360 / lon_.spacing(); }

@@ -37,8 +37,8 @@ double length_of(const SphereSpace&, double chord) {
 /// An edge as its origin sees it; `area` that of the triangles beside it. The number of
 /// the other end is left open.
 template <BlendSpace Space>
-End end_of(const Space& space, const typename Space::Triangulation& t,
-           std::span<const double> site_values, Site from, Site to, double area) {
+End end_of(const Space& space, const typename Space::Triangulation& t, double rise,
+           Site from, Site to, double area) {
   const auto origin = space.vector(t.points()[at(from)]);
   const auto difference = Space::difference(space.vector(t.points()[at(to)]), origin);
   const LocalPosition<double> d =
@@ -52,7 +52,7 @@ End end_of(const Space& space, const typename Space::Triangulation& t,
   const double share = std::max(area / (length * length), least_area);
   return {.direction = {d.u / across, d.v / across},
           .weight = share / (length * std::sqrt(length)),
-          .slope = (site_values[at(to)] - site_values[at(from)]) / length};
+          .slope = rise / length};
 }
 
 template <BlendSpace Space>
@@ -66,13 +66,11 @@ Vector3 tangent_vector<SphereSpace>(const SphereSpace::Axes& axes, const Tangent
   return g[0] * axes.u + g[1] * axes.v;
 }
 
-}  // namespace
-
-template <BlendSpace Space>
-std::vector<typename Space::Vector> least_curvature_gradients(
-    const Space& space, const typename Space::Triangulation& triangulation,
-    std::span<const double> site_values, const RunOptions& run) {
-  constexpr int num_steps = 24;
+/// The network of all edges; `rise(from, to)`.
+template <BlendSpace Space, class Rise>
+CurvatureNetwork network_of(const Space& space,
+                            const typename Space::Triangulation& triangulation,
+                            const RunOptions& run, Rise rise) {
   constexpr std::int64_t chunk = 2048;
   const Adjacency& t = triangulation.adjacency();
   const Site num_sites = triangulation.num_sites();
@@ -88,15 +86,39 @@ std::vector<typename Space::Vector> least_curvature_gradients(
           for (std::int32_t i = 0; i < t.degree(v); ++i, a = t.next(a)) {
             const Arc back = t.reverse(a);
             End& end = ends[at(a.index)];
-            end = end_of(space, triangulation, site_values, v, t.target(a),
+            end = end_of(space, triangulation, rise(v, t.target(a)), v, t.target(a),
                          area_on_left(space, triangulation, a) +
                              area_on_left(space, triangulation, back));
             end.reverse = back.index;
           }
         }
       });
+  return {std::move(offsets), std::move(ends)};
+}
+
+}  // namespace
+
+template <BlendSpace Space>
+CurvatureNetworkOfSites curvature_network_of(
+    const Space& space, const typename Space::Triangulation& triangulation,
+    const RunOptions& run) {
+  CurvatureNetwork network =
+      network_of(space, triangulation, run, [](Site, Site) { return 1.0; });
+  std::vector<double> inverse_lengths;
+  inverse_lengths.reserve(network.ends().size());
+  for (const End& e : network.ends()) inverse_lengths.push_back(e.slope);
+  return {std::move(network).in_unit_coordinates(run), std::move(inverse_lengths)};
+}
+
+template <BlendSpace Space>
+std::vector<typename Space::Vector> least_curvature_gradients(
+    const Space& space, const typename Space::Triangulation& triangulation,
+    std::span<const double> site_values, const RunOptions& run) {
+  const Site num_sites = triangulation.num_sites();
   const std::vector<Tangent> solution =
-      CurvatureNetwork(std::move(offsets), std::move(ends)).solve(num_steps, run);
+      network_of(space, triangulation, run, [&](Site from, Site to) {
+        return site_values[at(to)] - site_values[at(from)];
+      }).solve(num_curvature_steps, run);
   std::vector<typename Space::Vector> gradients(at(num_sites));
   for (Site v = 0; v < num_sites; ++v) {
     gradients[at(v)] = tangent_vector<Space>(
@@ -196,7 +218,8 @@ class Surroundings {
     }
   }
   [[nodiscard]] End end(std::size_t from, std::size_t to, double area) const {
-    return end_of(space_, *triangulation_, site_values_, nodes_[from], nodes_[to], area);
+    const double rise = site_values_[at(nodes_[to])] - site_values_[at(nodes_[from])];
+    return end_of(space_, *triangulation_, rise, nodes_[from], nodes_[to], area);
   }
   [[nodiscard]] typename Space::Vector vector_of(Site s) const {
     return space_.vector(triangulation_->points()[at(s)]);
@@ -231,6 +254,10 @@ std::vector<typename Space::Vector> least_curvature_gradients_without(
   return gradients;
 }
 
+template CurvatureNetworkOfSites curvature_network_of<PlaneSpace>(
+    const PlaneSpace&, const tripack::Triangulation&, const RunOptions&);
+template CurvatureNetworkOfSites curvature_network_of<SphereSpace>(
+    const SphereSpace&, const stripack::Triangulation&, const RunOptions&);
 template std::vector<Point2> least_curvature_gradients<PlaneSpace>(
     const PlaneSpace&, const tripack::Triangulation&, std::span<const double>,
     const RunOptions&);

@@ -5,9 +5,24 @@
 
 #include "delaunay/options.hpp"
 #include "interp/blend_space.hpp"
+#include "interp/curvature_network.hpp"
 #include "interp/spot.hpp"
 
 namespace delone::interp {
+
+/// Steps of the iteration over all sites.
+inline constexpr int num_curvature_steps = 24;
+
+/// The network of all edges, in unit coordinates; an end has the number of its arc.
+struct CurvatureNetworkOfSites {
+  CurvatureNetwork network;
+  /// Of every end one over its (scaled) length, 0 where the edge says nothing of slopes.
+  std::vector<double> inverse_lengths;
+};
+template <BlendSpace Space>
+[[nodiscard]] CurvatureNetworkOfSites curvature_network_of(
+    const Space& space, const typename Space::Triangulation& triangulation,
+    const RunOptions& run);
 
 /// Gradients of least curvature (CurvatureNetwork) at all sites: tangent vectors by
 /// scaled length. O(sites).

@@ -13,12 +13,11 @@ namespace delone::interp {
 
 /// `predict(removed)` for every site: the frame for methods that predict a removed site
 /// from its RemovedSite in closed form, as natural neighbours can from the rim. Any
-/// dimension; called from several threads.
+/// dimension; called from several threads, for `chunk` sites at a time.
 template <class Triangulation, class Predict>
 [[nodiscard]] std::vector<double> predict_left_out(const Triangulation& t,
-                                                   const RunOptions& run,
-                                                   Predict predict) {
-  constexpr std::int64_t chunk = 1024;
+                                                   const RunOptions& run, Predict predict,
+                                                   std::int64_t chunk = 1024) {
   std::vector<double> predicted(at(t.num_sites()));
   delaunay::parallel_chunks(
       t.num_sites(), chunk, run, [&](std::int64_t first, std::int64_t last) {

@@ -298,7 +298,10 @@ LeaveOneOut leave_out_c1(std::shared_ptr<const tripack::Triangulation> triangula
 LeaveOneOut leave_out_c1(std::shared_ptr<const stripack::Triangulation> triangulation,
                          std::span<const double> row_values, const C1Options& options,
                          const RunOptions& run) {
-  return leave_out<SphereSpace>(std::move(triangulation), row_values, options, run);
+  // Beyond a rim a value of all of the rim counts, which is not known without the site.
+  C1Options known = options;
+  if (known.outside == Outside::linear) known.outside = Outside::missing;
+  return leave_out<SphereSpace>(std::move(triangulation), row_values, known, run);
 }
 
 }  // namespace delone::interp

@@ -17,7 +17,8 @@ namespace delone::interp {
 /// the nodes within four steps, which gives predictions to some 1e-4 of the range; to
 /// some 1e-2 beside hubs, where fewer nodes are taken.
 ///
-/// Outside::linear predicts beyond the hull of the others by the surface's continuation.
+/// Outside::linear predicts beyond the hull of the others by the surface's continuation;
+/// on the sphere it predicts nothing there.
 /// Apart from that what is outside, repeated rows, few points, errors and threads are as
 /// with leave_out_linear, and tension as with PlaneC1. Where more than 64 nodes are at
 /// hand for a fit and some are equally far, those kept may be others than after

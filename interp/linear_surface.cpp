@@ -4,6 +4,7 @@
 
 #include "interp/east_north.hpp"
 #include "interp/plane_cells.hpp"
+#include "interp/region_sum.hpp"
 #include "interp/sphere_cells.hpp"
 #include "interp/triangle_integral.hpp"
 
@@ -62,6 +63,12 @@ double PlaneLinear::integral(const RunOptions& run) const {
   return integral_over_triangles(PlaneSpace{cells_->scale()}, *cells_, run);
 }
 
+RegionIntegral PlaneLinear::integral(const PlaneRegion& region,
+                                     const RunOptions& run) const {
+  return integral_over_region(PlaneSpace{cells_->scale()}, *cells_, region, PlaneArea{},
+                              run);
+}
+
 SphereLinear::SphereLinear(std::shared_ptr<const stripack::Triangulation> triangulation,
                            std::span<const double> row_values,
                            const SurfaceOptions& options) {
@@ -102,6 +109,11 @@ Field SphereLinear::grid(const Grid& lonlat_grid, const RunOptions& run) const {
 
 double SphereLinear::integral(const RunOptions& run) const {
   return integral_over_triangles(SphereSpace{}, *cells_, run);
+}
+
+RegionIntegral SphereLinear::integral(const SphereRegion& region, AreaUnit unit,
+                                      const RunOptions& run) const {
+  return integral_over_region(SphereSpace{}, *cells_, region, SphereArea(unit), run);
 }
 
 }  // namespace delone::interp

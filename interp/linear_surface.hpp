@@ -7,6 +7,7 @@
 #include "delaunay/options.hpp"
 #include "interp/grid.hpp"
 #include "interp/operator.hpp"
+#include "interp/region_integral.hpp"
 #include "interp/surface_options.hpp"
 #include "interp/values.hpp"
 #include "stripack/triangulation.hpp"
@@ -75,6 +76,9 @@ class PlaneLinear {
   /// Over the hull, as value times area; 0 without triangles. Knows no max_distance.
   /// By a rule of 36 places a triangle that is exact for polynomials of degree 10.
   [[nodiscard]] double integral(const RunOptions& run = {}) const;
+  /// Of the part of a region that is triangulated; see region_integral.hpp.
+  [[nodiscard]] RegionIntegral integral(const PlaneRegion& region,
+                                        const RunOptions& run = {}) const;
 
  private:
   std::shared_ptr<const PlaneCells> cells_;
@@ -104,6 +108,10 @@ class SphereLinear {
   /// Over the triangulated region, as value times steradians; 0 without triangles. Knows
   /// no max_distance.
   [[nodiscard]] double integral(const RunOptions& run = {}) const;
+  /// Of the part of a region that is triangulated; see region_integral.hpp.
+  [[nodiscard]] RegionIntegral integral(const SphereRegion& region,
+                                        AreaUnit unit = AreaUnit::steradian,
+                                        const RunOptions& run = {}) const;
 
  private:
   std::shared_ptr<const SphereCells> cells_;

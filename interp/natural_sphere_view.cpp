@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "interp/natural_view.hpp"
 #include "interp/sphere_facet.hpp"
@@ -75,10 +77,16 @@ template <class T>
   return factor * tangent;
 }
 
-// Half the area of the spherical triangle between the query and two points.
+// Half the area of the spherical triangle between the query and two points. Not a number,
+// which then reaches the sum of the weights, where these are nearly antipodal, as
+// circumcentres over sets near a great circle are: there it loses too many digits.
 template <class T>
 T half_area(const Pair<T>& a, const Pair<T>& b) {
-  return arc_tangent(cross(a, b) / (T{1} + dot(a, b)));
+  constexpr double least = 0x1p-10;
+  const T cosine = T{1} + dot(a, b);
+  const double good =
+      value_of(cosine) > least ? 1 : std::numeric_limits<double>::quiet_NaN();
+  return arc_tangent(T{good} * cross(a, b) / cosine);
 }
 
 template <class T>
@@ -144,6 +152,107 @@ PerCorner<T> spherical_ratios(const Cavity<stripack::Spoke>& cavity) {
   return ratios;
 }
 
+// The axes of stripack::LocalFrame.
+struct Axes {
+  Vector3 first, second;
+};
+Axes axes(const Direction& v) {
+  const double sign = std::copysign(1.0, v.z()), a = -1 / (sign + v.z());
+  const double b = v.x() * v.y() * a;
+  return {{1 + sign * v.x() * v.x() * a, sign * b, -sign * v.x()},
+          {b, sign + v.y() * v.y() * a, -v.y()}};
+}
+
+using WideVector = std::array<DoubleDouble, 3>;
+DoubleDouble dot(const WideVector& a, const WideVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+WideVector combined(const WideVector& a, const DoubleDouble& s, const WideVector& b) {
+  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
+}
+
+// The unit vectors of a query and of its axes.
+struct WideFrame {
+  explicit WideFrame(const Direction& p) : query(p), of_query(stripack::stretch(p)) {
+    const WideVector raw{{{p.x(), 0}, {p.y(), 0}, {p.z(), 0}}};
+    const WideVector up = combined(raw, {of_query, 0}, raw);
+    const Vector3 rounded_first = axes(p).first;
+    first = {{{rounded_first.x, 0}, {rounded_first.y, 0}, {rounded_first.z, 0}}};
+    first = combined(first, -dot(first, up), up);
+    const DoubleDouble size = delaunay::sqrt(dot(first, first));
+    for (DoubleDouble& c : first) c = c / size;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      second[k] = up[i] * first[j] - up[j] * first[i];
+    }
+  }
+  Direction query;
+  double of_query;
+  WideVector first, second;
+};
+
+// A site as seen from the query, of the exact directions of both.
+Seen<DoubleDouble> seen_exactly(const Direction& site, const WideFrame& frame,
+                                DoubleDouble) {
+  const double of_site = stripack::stretch(site);
+  const auto part = [&](double s, double q) {
+    return delaunay::two_difference(s, q) + delaunay::two_product(s, of_site) -
+           delaunay::two_product(q, frame.of_query);
+  };
+  const WideVector d{part(site.x(), frame.query.x()), part(site.y(), frame.query.y()),
+                     part(site.z(), frame.query.z())};
+  return {{dot(d, frame.first), dot(d, frame.second)}, dot(d, d) * 0.5};
+}
+Seen<Dual<DoubleDouble>> seen_exactly(const Direction& site, const WideFrame& frame,
+                                      Dual<DoubleDouble>) {
+  const Seen<DoubleDouble> v = seen_exactly(site, frame, DoubleDouble{});
+  const DoubleDouble turn = v.rise - DoubleDouble{1};
+  const DoubleDouble x = v.across.x, y = v.across.y;
+  return {{{x, turn, {}}, {y, {}, turn}}, {v.rise, -x, -y}};
+}
+
+DoubleDouble wide_root(const DoubleDouble& a) { return delaunay::sqrt(a); }
+Dual<DoubleDouble> wide_root(const Dual<DoubleDouble>& a) {
+  const DoubleDouble root = delaunay::sqrt(a.value), slope = DoubleDouble{0.5} / root;
+  return {root, slope * a.x, slope * a.y};
+}
+
+template <class T>
+Pair<T> wide_half_tangent(const Axis<T>& axis) {
+  const T root = wide_root(axis.up * axis.up + dot(axis.across, axis.across));
+  return (Constant<T>::of(1) / (axis.up + root)) * axis.across;
+}
+
+// spherical_areas with centres in twice the precision, T with or without derivatives.
+template <class T>
+auto wide_areas(const CavityShape& shape, std::span<const Seen<T>> corners) {
+  using Area = decltype(rounded(T{}));
+  PerCorner<Pair<T>> old_centers, new_centers;
+  for (const CavityShape::Triangle& t : shape.triangles)
+    old_centers.push_back(
+        wide_half_tangent(old_axis(corners[at(t.corners[0])], corners[at(t.corners[1])],
+                                   corners[at(t.corners[2])])));
+  shape.for_each_side([&](std::size_t i, std::size_t j, std::size_t) {
+    new_centers.push_back(wide_half_tangent(new_axis(corners[i], corners[j])));
+  });
+  return stolen_areas<Area, Pair<T>>(
+      shape, corners.size(), {old_centers.data(), old_centers.size()},
+      {new_centers.data(), new_centers.size()}, [](const Pair<T>& a, const Pair<T>& b) {
+        return arc_tangent(rounded(cross(a, b)), rounded(Constant<T>::of(1) + dot(a, b)));
+      });
+}
+
+// Sibson's coordinates where plain doubles lose digits.
+template <class T>
+auto wide_weights(std::span<const Direction> points, const Direction& query,
+                  const Cavity<stripack::Spoke>& cavity) {
+  const WideFrame frame(query);
+  PerCorner<Seen<T>> corners;
+  for (const Site s : cavity.sites)
+    corners.push_back(seen_exactly(points[at(s)], frame, T{}));
+  return normalized(wide_areas<T>(cavity.shape, {corners.data(), corners.size()}));
+}
+
 // The same number, to be calculated with in twice the precision.
 DoubleDouble widened(double a) { return {a, 0}; }
 Dual<DoubleDouble> widened(const Dual<double>& a) {
@@ -184,17 +293,6 @@ Pair<T> flat_gradient(const Seen<T>& v, const Pair<T>& image, const T& g_up,
                       const Pair<T>& g) {
   const T shrink = T{1} - v.rise * T{0.5};
   return shrink * g - (shrink * shrink * (g_up + dot(image, g) * T{0.5})) * image;
-}
-
-// The axes of stripack::LocalFrame.
-struct Axes {
-  Vector3 first, second;
-};
-Axes axes(const Direction& v) {
-  const double sign = std::copysign(1.0, v.z()), a = -1 / (sign + v.z());
-  const double b = v.x() * v.y() * a;
-  return {{1 + sign * v.x() * v.x() * a, sign * b, -sign * v.x()},
-          {b, sign + v.y() * v.y() * a, -v.y()}};
 }
 
 }  // namespace
@@ -243,12 +341,17 @@ PerCorner<double> SphereView::linear_weights(const Cavity<Vertex>& cavity) const
 PerCorner<double> SphereView::weights(NaturalKind kind,
                                       const Cavity<Vertex>& cavity) const {
   PerCorner<double> weights = weights_of<double>(kind, cavity);
+  if (weights.empty() && kind == NaturalKind::sibson)
+    weights = wide_weights<DoubleDouble>(points_, p_, cavity);
   return weights.empty() ? linear_weights(cavity) : weights;
 }
 
 PerCorner<Dual<double>> SphereView::sloped_weights(NaturalKind kind,
                                                    const Cavity<Vertex>& cavity) const {
-  return weights_of<Dual<double>>(kind, cavity);
+  PerCorner<Dual<double>> weights = weights_of<Dual<double>>(kind, cavity);
+  if (weights.empty() && kind == NaturalKind::sibson)
+    weights = wide_weights<Dual<DoubleDouble>>(points_, p_, cavity);
+  return weights;
 }
 
 }  // namespace delone::interp

@@ -4,11 +4,11 @@
 
 namespace delone::interp {
 
-/// Nodes of a grid inside one triangle, gathered across its rows, so that four are
-/// evaluated at once however short the rows are. Plain arrays: code for several
+/// Nodes of a grid inside one triangle, gathered across its rows, so that four or eight
+/// are evaluated at once however short the rows are. Plain arrays: code for several
 /// instruction sets reads them.
 struct NodeBatch {
-  static constexpr std::size_t lanes = 4, capacity = 16 * lanes;
+  static constexpr std::size_t lanes = 8, capacity = 64;
 
   double x[capacity], y[capacity], z[capacity];  ///< z on the sphere only
   double* values[capacity];                      ///< where they belong

@@ -1,21 +1,21 @@
 #pragma once
 
-#include "delaunay/instruction_set.hpp"
-#include "delaunay/lanes.hpp"
+#include "interp/lanes_of.hpp"
 
 namespace delone::interp {
 
-/// Four numbers that a formula written for one number works on at once; each comes out
+/// Several numbers that a formula written for one number works on at once; each comes out
 /// with the bits it has alone. The instruction set that the formula is compiled for is
 /// part of the type (delaunay/instruction_set.hpp).
 template <class InstructionSet>
 struct Pack {
-  delaunay::Double4 lanes;
+  using Lanes = LanesOf<InstructionSet>;
+  typename Lanes::Numbers lanes;
 
   Pack() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a constant is a number like any other
-  [[gnu::always_inline]] Pack(double v) : lanes(delaunay::four(v)) {}
-  [[gnu::always_inline]] explicit Pack(const delaunay::Double4& v) : lanes(v) {}
+  [[gnu::always_inline]] Pack(double v) : lanes(Lanes::all(v)) {}
+  [[gnu::always_inline]] explicit Pack(const typename Lanes::Numbers& v) : lanes(v) {}
 
   [[gnu::always_inline]] friend Pack operator+(const Pack& a, const Pack& b) {
     return Pack(a.lanes + b.lanes);
@@ -30,9 +30,7 @@ struct Pack {
     return Pack(a.lanes / b.lanes);
   }
   [[gnu::always_inline]] friend Pack positive_part(const Pack& a) {
-    const delaunay::Mask4 is_positive = a.lanes > delaunay::Double4{};
-    return Pack(reinterpret_cast<delaunay::Double4>(
-        reinterpret_cast<delaunay::Mask4>(a.lanes) & is_positive));
+    return Pack(Lanes::positive_part(a.lanes));
   }
 };
 

@@ -15,8 +15,9 @@ double squared_length(double x, double y) { return x * x + y * y; }
 // doubles; else 0.
 double plain_area(Point2 a, Point2 b, Point2 c) {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
-  const double longest = std::max(
-      {squared_length(ux, uy), squared_length(vx, vy), squared_length(vx - ux, vy - uy)});
+  const double longest =
+      std::max(std::max(squared_length(ux, uy), squared_length(vx, vy)),
+               squared_length(vx - ux, vy - uy));
   const double area = ux * vy - uy * vx;
   return area > thin_ratio * longest ? area : 0;
 }
@@ -52,8 +53,8 @@ PlaneFacet::PlaneFacet(const PlaneCorner& a, const PlaneCorner& b,
                        const PlaneCorner& c) noexcept
     : origin_(a.p),
       value_(a.value),
-      low_(std::min({a.value, b.value, c.value})),
-      high_(std::max({a.value, b.value, c.value})) {
+      low_(std::min(std::min(a.value, b.value), c.value)),
+      high_(std::max(std::max(a.value, b.value), c.value)) {
   const double area = plain_area(a.p, b.p, c.p);
   if (area == 0) {
     set_slopes(b, c);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "delaunay/double_double.hpp"
 #include "interp/index.hpp"
@@ -26,6 +27,12 @@ inline constexpr double thin_ratio = 0x1p-6;
 /// Is the triangle's height below thin_ratio of its longest side?
 [[nodiscard]] bool is_thin(Point2 a, Point2 b, Point2 c) noexcept;
 
+/// A linear function by its value and slopes at a point, kept between two bounds.
+struct PlainPlaneFacet {
+  Point2 origin;
+  double value = 0, x_slope = 0, y_slope = 0, low = 0, high = 0;
+};
+
 /// The linear function through three corners, or along two.
 ///
 /// Computed from the first corner, so that constants are reproduced exactly, and kept
@@ -43,6 +50,11 @@ class PlaneFacet {
   [[nodiscard]] bool is_thin() const noexcept { return is_thin_; }
   [[nodiscard]] Point2 gradient() const noexcept {
     return {x_slope_.high, y_slope_.high};
+  }
+  /// The function as it is evaluated; none for thin triangles.
+  [[nodiscard]] std::optional<PlainPlaneFacet> formula() const noexcept {
+    if (is_thin_) return {};
+    return PlainPlaneFacet{origin_, value_, x_slope_.high, y_slope_.high, low_, high_};
   }
 
   [[nodiscard]] double operator()(Point2 p) const noexcept {

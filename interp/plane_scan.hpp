@@ -7,6 +7,8 @@
 #include "delaunay/parallel.hpp"
 #include "interp/axis_table.hpp"
 #include "interp/cursor.hpp"
+#include "interp/fresh_values.hpp"
+#include "interp/grid_lanes.hpp"
 #include "interp/node_batch.hpp"
 #include "interp/plane_reach.hpp"
 #include "interp/surface_options.hpp"
@@ -23,7 +25,7 @@ namespace delone::interp {
 //
 // Whether a node is in a triangle is read off the crossings of its row with the edges
 // where these are clear, and decided by the exact predicate where a crossing falls on a
-// node up to rounding.
+// node up to rounding. Triangles of few rows and columns: grid_lanes.hpp.
 template <class Cells>
 class PlaneScan {
  public:
@@ -34,6 +36,9 @@ class PlaneScan {
         y_(grid.y),
         scaled_x_(grid.x, cells.scale()),
         scaled_y_(grid.y, cells.scale()),
+        padded_x_(padded(scaled_x_.data(), scaled_x_.size())),
+        slack_(position_errors()),
+        has_blocks_(slack_.x < 0.25 && slack_.y < 0.25),
         out_(out) {}
 
   void scan_triangles(Site first, Site last) {
@@ -72,10 +77,18 @@ class PlaneScan {
       return start + (y - y_start) * slope;
     }
   };
-  struct Triangle {
+  using Facet = typename Cells::Facet;
+  struct Named {
     Arc arc;
     std::array<Site, 3> corners;
-    typename Cells::Facet facet;
+  };
+  struct Triangle {
+    const Named* named;
+    Facet facet;
+    bool is_reached = true;
+    NodeBatch* batch = nullptr;
+  };
+  struct Outline {
     // The row's nodes in the triangle lie between the larger of `low` and the smaller of
     // `high`.
     std::array<Crossing, 2> low{}, high{};
@@ -83,46 +96,125 @@ class PlaneScan {
     bool is_uncertain = false;  // crossings beyond floating point: the same for all rows
     IndexRange columns;
     double tolerance = 0;  // bound on the error of a crossing, in columns
-    bool is_reached = true;
-    NodeBatch* batch = nullptr;
   };
 
   Point2 point(Site s) const { return cells_.triangulation().points()[at(s)]; }
   double& node(std::int64_t i, std::int64_t j) { return out_[at(j * x_.size() + i)]; }
 
   void scan_triangle(Arc arc) {
-    const std::array<Site, 3> corners = adjacency_.left(arc);
-    const std::array<Point2, 3> p{point(corners[0]), point(corners[1]),
-                                  point(corners[2])};
-    const IndexRange rows{y_.first_from(std::min({p[0].y, p[1].y, p[2].y})),
-                          y_.first_after(std::max({p[0].y, p[1].y, p[2].y}))};
+    const Named named{arc, adjacency_.left(arc)};
+    const std::array<Point2, 3> p{point(named.corners[0]), point(named.corners[1]),
+                                  point(named.corners[2])};
+    if (has_blocks_) {
+      const NodeBlock block = block_around(p);
+      if (block.is_empty() || (block.is_small() && scan_block(named, p, block))) return;
+    }
+    scan_outline(named, p);
+  }
+
+  NodeBlock block_around(const std::array<Point2, 3>& p) const {
+    const auto range = [&](const AxisTable& axis, double a, double b, double c,
+                           double slack) {
+      return IndexRange{
+          axis.first_at(axis.position(least(a, b, c) * cells_.scale()) - slack),
+          axis.first_above(axis.position(largest(a, b, c) * cells_.scale()) + slack)};
+    };
+    return {range(scaled_x_, p[0].x, p[1].x, p[2].x, slack_.x),
+            range(scaled_y_, p[0].y, p[1].y, p[2].y, slack_.y)};
+  }
+
+  // False: not for blocks, nothing is written.
+  bool scan_block(const Named& named, const std::array<Point2, 3>& p,
+                  const NodeBlock& block) {
+    NodeBatch batch;
+    const Triangle t = triangle(named, &batch);
+    const PlaneAxes axes{padded_x_.data(), scaled_y_.data()};
+    const auto decide_doubtful = [&](const NodeMask& doubtful) {
+      for_each_node(doubtful, block,
+                    [&](std::int64_t i, std::int64_t j) { decide_node(t, i, j); });
+    };
+    if constexpr (FillsBatches<Facet>) {
+      const Cover c = cover(sides_of(p), axes, block);
+      for_each_node(c.inside, block, [&](std::int64_t i, std::int64_t j) {
+        gather(t, {i, i + 1}, j);
+      });
+      t.facet.fill(batch);
+      decide_doubtful(c.doubtful);
+    } else {
+      const auto formula = t.facet.formula();
+      if (!formula || !t.is_reached) return false;
+      decide_doubtful(
+          fill_block(sides_of(p), *formula, axes, block, {out_.data(), x_.size()}));
+    }
+    return true;
+  }
+
+  void scan_outline(const Named& named, const std::array<Point2, 3>& p) {
+    const IndexRange rows{y_.first_from(least(p[0].y, p[1].y, p[2].y)),
+                          y_.first_after(largest(p[0].y, p[1].y, p[2].y))};
     if (rows.is_empty()) return;
-    const double tolerance = crossing_tolerance(p);
-    const IndexRange columns = columns_between(
-        scaled_x_.position(std::min({p[0].x, p[1].x, p[2].x}) * cells_.scale()) -
-            tolerance,
-        scaled_x_.position(std::max({p[0].x, p[1].x, p[2].x}) * cells_.scale()) +
-            tolerance);
-    if (columns.is_empty()) return;
-    NodeBatch inner;
-    Triangle t{.arc = arc,
-               .corners = corners,
-               .facet = cells_.facet(arc),
-               .columns = columns,
-               .tolerance = tolerance,
-               .is_reached = cells_.reach().covers_triangle(corners),
-               .batch = &inner};
-    set_crossings(t, p);
-    for (std::int64_t j = rows.begin; j < rows.end; ++j) scan_row(t, j);
-    if constexpr (FillsBatches<typename Cells::Facet>) t.facet.fill(inner);
+    Outline outline{.tolerance = crossing_tolerance(p)};
+    outline.columns = columns_between(
+        scaled_x_.position(least(p[0].x, p[1].x, p[2].x) * cells_.scale()) -
+            outline.tolerance,
+        scaled_x_.position(largest(p[0].x, p[1].x, p[2].x) * cells_.scale()) +
+            outline.tolerance);
+    if (outline.columns.is_empty()) return;
+    set_crossings(outline, p);
+    NodeBatch batch;
+    const Triangle t = triangle(named, &batch);
+    for (std::int64_t j = rows.begin; j < rows.end; ++j) scan_row(t, outline, j);
+    if constexpr (FillsBatches<Facet>) t.facet.fill(batch);
+  }
+
+  Triangle triangle(const Named& named, NodeBatch* batch) const {
+    return {&named, cells_.facet(named.arc),
+            cells_.reach().covers_triangle(named.corners), batch};
+  }
+
+  PlaneSides sides_of(const std::array<Point2, 3>& p) const {
+    PlaneSides s;
+    double width = 0, height = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point2 from = cells_.scaled(p[k]), to = cells_.scaled(p[(k + 1) % 3]);
+      s.x[k] = from.x, s.y[k] = from.y;
+      s.dx[k] = to.x - from.x, s.dy[k] = to.y - from.y;
+      width = std::max(width, std::abs(s.dx[k]));
+      height = std::max(height, std::abs(s.dy[k]));
+    }
+    // Rows and columns of the block reach a spacing beyond the triangle, the columns of
+    // the last group seven more.
+    s.error = 0x1p-50 * (width * (height + scaled_y_.spacing()) +
+                         height * (width + 16 * scaled_x_.spacing())) +
+              0x1p-1000;
+    return s;
   }
 
   // A crossing is off by some roundings of the coordinates of corners and nodes.
   double crossing_tolerance(const std::array<Point2, 3>& p) const {
-    const double corner =
-        std::max({std::abs(p[0].x), std::abs(p[1].x), std::abs(p[2].x)}) * cells_.scale();
-    return 0x1p-30 + scaled_x_.unevenness() +
-           0x1p-46 * (corner + scaled_x_.largest()) / scaled_x_.spacing();
+    return position_error(scaled_x_,
+                          largest(std::abs(p[0].x), std::abs(p[1].x), std::abs(p[2].x)));
+  }
+
+  double position_error(const AxisTable& scaled_axis, double largest_coordinate) const {
+    return 0x1p-30 + scaled_axis.unevenness() +
+           0x1p-46 * (largest_coordinate * cells_.scale() + scaled_axis.largest()) /
+               scaled_axis.spacing();
+  }
+
+  // Of all corners.
+  Point2 position_errors() const {
+    Point2 far{0, 0};
+    for (const Point2 p : cells_.triangulation().points())
+      far = {std::max(far.x, std::abs(p.x)), std::max(far.y, std::abs(p.y))};
+    return {position_error(scaled_x_, far.x), position_error(scaled_y_, far.y)};
+  }
+
+  static double least(double a, double b, double c) {
+    return std::min(std::min(a, b), c);
+  }
+  static double largest(double a, double b, double c) {
+    return std::max(std::max(a, b), c);
   }
 
   IndexRange columns_between(double low, double high) const {
@@ -131,7 +223,7 @@ class PlaneScan {
 
   // Counter-clockwise, edges that lead down bound the triangle on the left, those that
   // lead up on the right.
-  void set_crossings(Triangle& t, const std::array<Point2, 3>& p) const {
+  void set_crossings(Outline& t, const std::array<Point2, 3>& p) const {
     int num_low = 0, num_high = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point2 from = p[k], to = p[(k + 1) % 3], a = cells_.scaled(from),
@@ -151,36 +243,38 @@ class PlaneScan {
     }
   }
 
-  void scan_row(const Triangle& t, std::int64_t j) {
+  void scan_row(const Triangle& t, const Outline& o, std::int64_t j) {
     const double y = scaled_y_[j];
-    if (t.is_uncertain || y == t.flat_y) return decide(t, t.columns, j);
-    const double low = std::max(t.low[0].at_row(y), t.low[1].at_row(y));
-    const double high = std::min(t.high[0].at_row(y), t.high[1].at_row(y));
-    const std::int64_t begin = first_column(t, low + t.tolerance),
-                       end = first_column(t, high - t.tolerance);
+    if (o.is_uncertain || y == o.flat_y) return decide(t, o.columns, j);
+    const double low = std::max(o.low[0].at_row(y), o.low[1].at_row(y));
+    const double high = std::min(o.high[0].at_row(y), o.high[1].at_row(y));
+    const std::int64_t begin = first_column(o, low + o.tolerance),
+                       end = first_column(o, high - o.tolerance);
     const bool is_doubtful_left =
-        static_cast<double>(begin - 1) >= low - t.tolerance && begin > t.columns.begin;
+        static_cast<double>(begin - 1) >= low - o.tolerance && begin > o.columns.begin;
     const bool is_doubtful_right =
-        static_cast<double>(end) <= high + t.tolerance && end < t.columns.end;
-    if (is_doubtful_left || is_doubtful_right) return scan_doubtful_row(t, low, high, j);
+        static_cast<double>(end) <= high + o.tolerance && end < o.columns.end;
+    if (is_doubtful_left || is_doubtful_right)
+      return scan_doubtful_row(t, o, low, high, j);
     if (begin < end) fill(t, {begin, end}, j);
   }
 
   // The first of the triangle's columns that is not below a position.
-  static std::int64_t first_column(const Triangle& t, double position) {
+  static std::int64_t first_column(const Outline& o, double position) {
     // In this order NaN becomes a bound.
     const double clamped =
-        std::min(static_cast<double>(t.columns.end),
-                 std::max(static_cast<double>(t.columns.begin), position));
+        std::min(static_cast<double>(o.columns.end),
+                 std::max(static_cast<double>(o.columns.begin), position));
     const auto down = static_cast<std::int64_t>(clamped);
     return down + (static_cast<double>(down) < clamped ? 1 : 0);
   }
 
-  void scan_doubtful_row(const Triangle& t, double low, double high, std::int64_t j) {
-    const IndexRange left{first_column(t, low - t.tolerance),
-                          first_column(t, low + t.tolerance)};
-    const IndexRange right{first_column(t, high - t.tolerance),
-                           first_column(t, std::floor(high + t.tolerance) + 1)};
+  void scan_doubtful_row(const Triangle& t, const Outline& o, double low, double high,
+                         std::int64_t j) {
+    const IndexRange left{first_column(o, low - o.tolerance),
+                          first_column(o, low + o.tolerance)};
+    const IndexRange right{first_column(o, high - o.tolerance),
+                           first_column(o, std::floor(high + o.tolerance) + 1)};
     if (right.begin <= left.end) return decide(t, {left.begin, right.end}, j);
     decide(t, left, j);
     fill(t, {left.end, right.begin}, j);
@@ -188,7 +282,7 @@ class PlaneScan {
   }
 
   void fill(const Triangle& t, IndexRange columns, std::int64_t j) {
-    if constexpr (FillsBatches<typename Cells::Facet>) {
+    if constexpr (FillsBatches<Facet>) {
       gather(t, columns, j);
     } else {
       t.facet.fill_row(&node(0, j), scaled_x_.data(), columns, scaled_y_[j]);
@@ -209,7 +303,7 @@ class PlaneScan {
   }
 
   bool is_reached(const Triangle& t, std::int64_t i, std::int64_t j) const {
-    return t.is_reached || cells_.reach().covers({x_[i], y_[j]}, t.corners[0]);
+    return t.is_reached || cells_.reach().covers({x_[i], y_[j]}, t.named->corners[0]);
   }
 
   void decide(const Triangle& t, IndexRange columns, std::int64_t j) {
@@ -219,12 +313,13 @@ class PlaneScan {
   void decide_node(const Triangle& t, std::int64_t i, std::int64_t j) {
     const Point2 scaled{scaled_x_[i], scaled_y_[j]};
     const Holding held =
-        holding(cells_.triangulation().points(), t.corners, Point2{x_[i], y_[j]});
+        holding(cells_.triangulation().points(), t.named->corners, Point2{x_[i], y_[j]});
     if (held.kind == Holding::Kind::interior) {
       node(i, j) = t.facet(scaled);
     } else if (held.kind == Holding::Kind::edge &&
-               owns_edge(adjacency_, t.arc, held.edge)) {
-      const Spot s = edge_spot(t.corners[held.edge], t.corners[(held.edge + 1) % 3]);
+               owns_edge(adjacency_, t.named->arc, held.edge)) {
+      const Spot s =
+          edge_spot(t.named->corners[held.edge], t.named->corners[(held.edge + 1) % 3]);
       node(i, j) = cells_.edge_value(s.sites[0], s.sites[1], scaled);
     } else {
       return;
@@ -237,6 +332,9 @@ class PlaneScan {
   const Cells& cells_;
   const Adjacency& adjacency_;
   AxisTable x_, y_, scaled_x_, scaled_y_;
+  std::vector<double> padded_x_;
+  Point2 slack_;  // bound on the error of corners' positions, in columns and rows
+  bool has_blocks_;
   std::vector<double>& out_;
 };
 
@@ -245,7 +343,8 @@ template <class Cells>
                                              const RunOptions& run) {
   check(grid);
   constexpr std::int64_t site_chunk = 1024;
-  std::vector<double> out(at(grid.size()), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> out =
+      fresh_values(at(grid.size()), std::numeric_limits<double>::quiet_NaN());
   PlaneScan<Cells> scan(cells, grid, out);
   const Site num_sites = cells.triangulation().num_sites();
   const bool has_triangles = cells.triangulation().dimension() == 2;

@@ -6,6 +6,7 @@
 #include "delaunay/parallel.hpp"
 #include "interp/axis_table.hpp"
 #include "interp/cursor.hpp"
+#include "interp/fresh_values.hpp"
 #include "interp/globe_table.hpp"
 #include "interp/grid.hpp"
 #include "interp/index.hpp"
@@ -20,7 +21,7 @@ template <class Evaluate>
                                             std::int64_t num_columns,
                                             const RunOptions& run, Evaluate evaluate) {
   constexpr std::int64_t chunk = 16;
-  std::vector<double> out(at(num_rows * num_columns));
+  std::vector<double> out = fresh_values<double>(at(num_rows * num_columns));
   delaunay::parallel_chunks(num_rows, chunk, run,
                             [&](std::int64_t first, std::int64_t last) {
                               Cursor cursor;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -19,9 +20,10 @@ struct ScatterNodes {
 };
 
 /// Fewer nodes of about the same relative density: every eighth, and the outermost along
-/// the axes, so that they reach as far. No more than an eighth and 2 D + 1.
+/// the axes, so that they reach as far. No more than an eighth and 2 D + 1; ascending.
 template <std::size_t D>
-[[nodiscard]] ScatterNodes<D> every_eighth(const ScatterNodes<D>& nodes) {
+[[nodiscard]] std::vector<std::int32_t> numbers_of_every_eighth(
+    const ScatterNodes<D>& nodes) {
   std::vector<bool> is_taken(nodes.points.size());
   for (std::size_t i = 4; i < nodes.points.size(); i += 8) is_taken[i] = true;
   for (std::size_t axis = 0; axis < D; ++axis) {
@@ -31,13 +33,27 @@ template <std::size_t D>
     is_taken[static_cast<std::size_t>(low - nodes.points.begin())] = true;
     is_taken[static_cast<std::size_t>(high - nodes.points.begin())] = true;
   }
+  std::vector<std::int32_t> numbers;
+  for (std::size_t i = 0; i < is_taken.size(); ++i)
+    if (is_taken[i]) numbers.push_back(static_cast<std::int32_t>(i));
+  return numbers;
+}
+
+/// Some of the nodes.
+template <std::size_t D>
+[[nodiscard]] ScatterNodes<D> selected(const ScatterNodes<D>& nodes,
+                                       std::span<const std::int32_t> numbers) {
   ScatterNodes<D> result;
-  for (std::size_t i = 0; i < nodes.points.size(); ++i) {
-    if (!is_taken[i]) continue;
-    result.points.push_back(nodes.points[i]);
-    result.values.push_back(nodes.values[i]);
+  for (const std::int32_t i : numbers) {
+    result.points.push_back(nodes.points[at(i)]);
+    result.values.push_back(nodes.values[at(i)]);
   }
   return result;
+}
+
+template <std::size_t D>
+[[nodiscard]] ScatterNodes<D> every_eighth(const ScatterNodes<D>& nodes) {
+  return selected(nodes, numbers_of_every_eighth(nodes));
 }
 
 /// Nodes as an index of points.

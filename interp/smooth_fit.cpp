@@ -1,6 +1,5 @@
 #include "interp/smooth_fit.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -12,7 +11,9 @@
 #include <utility>
 
 #include "delaunay/error.hpp"
+#include "interp/small_inverse.hpp"
 #include "interp/smooth_factor.hpp"
+#include "interp/smooth_operator_map.hpp"
 
 namespace delone::interp {
 
@@ -23,9 +24,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Beyond so many extents of the domain a surface is the trend.
-constexpr double longest_wavelength = 128;
-
 using Strided = Eigen::Map<const VectorXd, 0, Eigen::InnerStride<3>>;
 Strided values_of(const VectorXd& unknowns) {
   return {unknowns.data(), unknowns.size() / 3};
@@ -39,24 +37,6 @@ MatrixXd as_right_side(const MatrixXd& values) {
   MatrixXd right = MatrixXd::Zero(3 * values.rows(), values.cols());
   for (Index s = 0; s < values.rows(); ++s) right.row(3 * s) = values.row(s);
   return right;
-}
-
-/// The solution of a small semidefinite system without the directions that it does not
-/// determine, and the inverse that gave it.
-struct SmallInverse {
-  MatrixXd inverse;
-  Index rank = 0;
-};
-SmallInverse small_inverse(const MatrixXd& matrix, double least) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(matrix);
-  SmallInverse result{MatrixXd::Zero(matrix.rows(), matrix.rows())};
-  for (Index k = 0; k < matrix.rows(); ++k) {
-    if (!(eigen.eigenvalues()[k] > least)) continue;
-    const auto v = eigen.eigenvectors().col(k);
-    result.inverse += v * v.transpose() / eigen.eigenvalues()[k];
-    ++result.rank;
-  }
-  return result;
 }
 
 /// Random signs that depend on the site only (splitmix64).
@@ -93,6 +73,7 @@ class Smoother {
   }
 
   [[nodiscard]] const SmoothSystem& system() const noexcept { return system_; }
+  [[nodiscard]] const VectorXd& values() const noexcept { return values_; }
   [[nodiscard]] double num_sites() const noexcept {
     return static_cast<double>(values_.size());
   }
@@ -492,12 +473,20 @@ SmoothedSites fit_smooth(const typename Space::Triangulation& triangulation,
   const Trial trial = fitter.smoother().at_wavelength(wavelength, Effort::final);
   if (run.progress && !run.progress(1)) throw Cancelled();
   result.fit = told(fitter.smoother(), trial, data, wavelength, unit);
-  const double per_length = fitter.smoother().system().scale / unit;
+  double per_length = fitter.smoother().system().scale / unit;
+  VectorXd unknowns = trial.unknowns;
+  if (options.choices) {
+    // What the operator applies, bit for bit: the two do not agree to 1e-13 otherwise
+    // where the equations are nearly singular.
+    SmoothSystem system = smooth_system<Space>(triangulation, data.weights);
+    per_length /= system.extent_scale;
+    unknowns = SmoothMap(std::move(system), wavelength, run)
+                   .unknowns(fitter.smoother().values(), run);
+  }
   for (std::size_t s = 0; s < data.values.size(); ++s) {
     const auto i = 3 * static_cast<Index>(s);
-    if (wavelength > 0) result.values[s] = data.values[0] + trial.unknowns[i] / unit;
-    result.gradients[s] = {trial.unknowns[i + 1] * per_length,
-                           trial.unknowns[i + 2] * per_length};
+    if (wavelength > 0) result.values[s] = data.values[0] + unknowns[i] / unit;
+    result.gradients[s] = {unknowns[i + 1] * per_length, unknowns[i + 2] * per_length};
   }
   return result;
 }

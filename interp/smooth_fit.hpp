@@ -37,6 +37,9 @@ struct SmoothedSites {
 /// number over 2.
 inline constexpr std::int32_t most_exact_traces = 4096;
 
+/// Beyond so many extents of the domain a surface is the trend.
+inline constexpr double longest_wavelength = 128;
+
 /// The minimiser of parameter * roughness + weighted squared misfits (SmoothSystem). On
 /// the sphere a surface's first-degree harmonic is not charged: the roughness is that of
 /// the surface less the harmonic that makes it least.

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "interp/surface_options.hpp"
 
 namespace delone::interp {
+
+struct C1Choices;
 
 /// What decides how smooth a surface is.
 enum class SmoothBy : std::uint8_t {
@@ -24,6 +27,10 @@ struct SmoothOptions : SurfaceOptions {
   /// Standard deviations of the values, one a row: their inverse squares are the weights
   /// of the misfits. Empty: all alike. Seen during construction only.
   std::span<const double> errors;
+  /// Fixed beforehand (c1_choices.hpp, for Gradients::given) how the surface goes on
+  /// between the smoothed values and gradients of the nodes: with a given wavelength it
+  /// is then linear in the data everywhere. Empty: chosen, as by PlaneC1.
+  std::shared_ptr<const C1Choices> choices;
 };
 
 /// How a surface was smoothed. Misfits are data less surface, weights have a mean of one.

@@ -53,6 +53,10 @@ C1Options c1_options(const SmoothOptions& options) {
   C1Options result;
   static_cast<SurfaceOptions&>(result) = options;
   result.duplicates = Duplicates::first;
+  if (options.choices) {
+    result.choices = options.choices;
+    return result;
+  }
   result.gradients = Gradients::local;
   result.tension = 0;
   return result;

@@ -26,10 +26,10 @@ namespace delone::interp {
 ///
 /// A position that repeats has its rows' weighted mean as value and their weights
 /// together (Duplicates::mean), otherwise the value that SmoothOptions::duplicates takes.
-/// Linear in the values once the parameter is fixed. Constants are reproduced exactly,
-/// linear functions to rounding, whatever the parameter. Coordinates moved or multiplied,
-/// values multiplied: the same surface. It depends neither on the order of rows nor on
-/// threads.
+/// Linear in the values once the parameter is fixed (between nodes: with fixed choices).
+/// Constants are reproduced exactly, linear functions to rounding, whatever the
+/// parameter. Coordinates moved or multiplied, values multiplied: the same surface. It
+/// depends neither on the order of rows nor on threads.
 ///
 /// Collinear points: the smoothing spline along the chain at its nodes, linear between.
 /// Fewer than three positions, and three that are not collinear: through the data.

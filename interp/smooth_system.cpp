@@ -82,6 +82,7 @@ class SystemMaker {
     stretch_ = stretch(more);
     system_.is_chain = t.dimension() < 2;
     system_.scale = space.scale * more;
+    system_.extent_scale = more;
     system_.weights =
         Eigen::Map<const Eigen::VectorXd>(weights.data(), std::ssize(weights));
     system_.weights /= system_.weights.mean();
@@ -132,6 +133,7 @@ class SystemMaker {
                     components(Space::axes(b), between.direction_at_second()),
                     2 * between.half,
                     0,
+                    0,
                     0};
     // Opposite nodes, and what is too near for its direction to be known.
     if (!is_direction(edge.tangent_first) || !is_direction(edge.tangent_second)) {
@@ -143,7 +145,7 @@ class SystemMaker {
     const double length = std::max(edge.length, least_length);
     edge.bend = system_.is_chain ? 1 / length : weight_of(arc, chord);
     edge.pull = 12 * edge.bend / (length * length);
-    if (system_.is_chain) system_.area += edge.length;
+    if (system_.is_chain) edge.across = edge.bend, system_.area += edge.length;
     system_.edges.push_back(edge);
   }
 
@@ -225,13 +227,25 @@ Eigen::Matrix<double, 3, 6> charged_rows(const SmoothEdge& e) {
   return rows;
 }
 
+Eigen::Matrix<double, 1, 6> row_across(const SmoothEdge& e) {
+  const auto [ax, ay] = e.tangent_first;
+  const auto [bx, by] = e.tangent_second;
+  Eigen::Matrix<double, 1, 6> row;
+  row << 0, ay, -ax, 0, by, -bx;
+  return row;
+}
+
 Eigen::Vector3d charges(const SmoothEdge& e) { return {e.bend, e.bend, e.pull}; }
 
 }  // namespace
 
 Eigen::Matrix<double, 6, 6> edge_matrix(const SmoothEdge& edge) noexcept {
   const Eigen::Matrix<double, 3, 6> rows = charged_rows(edge);
-  return rows.transpose() * charges(edge).asDiagonal() * rows;
+  Eigen::Matrix<double, 6, 6> matrix =
+      rows.transpose() * charges(edge).asDiagonal() * rows;
+  if (edge.across > 0)
+    matrix += edge.across * row_across(edge).transpose() * row_across(edge);
+  return matrix;
 }
 
 double SmoothSystem::parameter(double wavelength) const noexcept {
@@ -247,7 +261,10 @@ Eigen::VectorXd SmoothSystem::apply(double parameter, const Eigen::VectorXd& x) 
     ends << x.segment<3>(a), x.segment<3>(b);
     const Eigen::Matrix<double, 3, 6> rows = charged_rows(e);
     const Eigen::Vector3d charged = charges(e).cwiseProduct(rows * ends);
-    const Eigen::Matrix<double, 6, 1> forces = parameter * (rows.transpose() * charged);
+    Eigen::Matrix<double, 6, 1> forces = parameter * (rows.transpose() * charged);
+    if (e.across > 0)
+      forces +=
+          parameter * e.across * row_across(e).dot(ends) * row_across(e).transpose();
     result.segment<3>(a) += forces.head<3>();
     result.segment<3>(b) += forces.tail<3>();
   }

@@ -19,6 +19,9 @@ struct SmoothEdge {
   double length = 0;
   double bend = 0;  ///< weight of the squared change of the gradient
   double pull = 0;  ///< weight of (rise - length * mean slope)^2
+  /// Of a chain, whose slopes across itself nothing else determines: weight of their
+  /// squared sum.
+  double across = 0;
 };
 
 /// The roughness of a surface that has a value and a gradient at every node.
@@ -48,9 +51,10 @@ struct SmoothSystem {
   Eigen::VectorXd weights;                    ///< of the values; their mean is 1
   Eigen::MatrixXd trend;                      ///< unknowns of every trend function
   bool is_trend_charged = false;
-  bool is_chain = false;  ///< collinear
-  double scale = 1;       ///< coordinates were multiplied by this
-  double area = 0;        ///< of the triangles (of a chain, its length), scaled
+  bool is_chain = false;    ///< collinear
+  double scale = 1;         ///< coordinates were multiplied by this
+  double extent_scale = 1;  ///< the part of it that is beside the scale of the space
+  double area = 0;          ///< of the triangles (of a chain, its length), scaled
 
   [[nodiscard]] std::int32_t num_sites() const noexcept {
     return static_cast<std::int32_t>(weights.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "interp/index.hpp"
 #include "interp/sphere_vector.hpp"
@@ -50,6 +51,11 @@ class SphereFacet {
               const SphereCorner& c) noexcept;
 
   [[nodiscard]] bool is_thin() const noexcept { return is_thin_; }
+  /// The function as it is evaluated; none for thin triangles.
+  [[nodiscard]] std::optional<PlainSphereFacet> formula() const noexcept {
+    if (is_thin_) return {};
+    return plain_;
+  }
   [[nodiscard]] double operator()(Vector3 p) const noexcept {
     return is_thin_ ? thin_value(p) : plain_(p);
   }

@@ -79,6 +79,7 @@ class StencilGatherer {
   }
 
  private:
+  static constexpr double everywhere = std::numeric_limits<double>::infinity();
   static constexpr std::int32_t whole_list = 32, part_of_list = 12;
   static constexpr std::size_t table_size = 1024;
 
@@ -102,23 +103,26 @@ class StencilGatherer {
     return true;
   }
 
-  void add(Site s, bool is_neighbor) {
+  // What lies beyond the reach (squared) is looked at once and left out.
+  void add(Site s, bool is_neighbor, double reach = everywhere) {
     if (!is_new(s)) return;
     const auto d = Space::difference(space_.vector(points_[at(s)]), origin_);
-    nodes_.push_back({s, Space::dot(d, d), is_neighbor});
+    const double squared_distance = Space::dot(d, d);
+    if (squared_distance > reach) return;
+    nodes_.push_back({s, squared_distance, is_neighbor});
   }
 
   // Of a long list the part around the arc back to `facing`.
-  void add_neighbors(Site s, Site facing, bool is_neighbor) {
+  void add_neighbors(Site s, Site facing, bool is_neighbor, double reach = everywhere) {
     const auto all = adjacency_->neighbors(s);
     if (facing == none || adjacency_->degree(s) <= whole_list) {
-      for (const Site w : all) add(w, is_neighbor);
+      for (const Site w : all) add(w, is_neighbor, reach);
       return;
     }
     const auto size = static_cast<std::ptrdiff_t>(all.size());
     const auto here = std::find(all.begin(), all.end(), facing) - all.begin();
     for (std::ptrdiff_t k = -part_of_list / 2; k <= part_of_list / 2; ++k)
-      add(all[static_cast<std::size_t>((here + k + size) % size)], is_neighbor);
+      add(all[static_cast<std::size_t>((here + k + size) % size)], is_neighbor, reach);
   }
 
   // Of the third ring only what is among the nearest wanted.
@@ -127,8 +131,9 @@ class StencilGatherer {
     const double reach = distance_of_nearest(num_nearest);
     for (std::size_t k = num_first; k < num_second; ++k) {
       if (nodes_[k].squared_distance < reach)
-        add_neighbors(nodes_[k].site, center_, false);
+        add_neighbors(nodes_[k].site, center_, false, reach);
     }
+    if (nodes_.size() == num_second) return;
     const double limit = distance_of_nearest(num_nearest);
     const auto is_far = [&](const StencilNode& n) { return n.squared_distance > limit; };
     nodes_.erase(std::remove_if(nodes_.begin() + static_cast<std::ptrdiff_t>(num_second),
@@ -139,7 +144,7 @@ class StencilGatherer {
   // Squared, of the nearest so many; infinite if there are fewer.
   [[nodiscard]] double distance_of_nearest(std::size_t count) {
     if (count == 0) return 0;
-    if (nodes_.size() < count) return std::numeric_limits<double>::infinity();
+    if (nodes_.size() < count) return everywhere;
     distances_.clear();
     for (const StencilNode& n : nodes_) distances_.push_back(n.squared_distance);
     const auto last = distances_.begin() + static_cast<std::ptrdiff_t>(count) - 1;

@@ -11,7 +11,7 @@ namespace delone::interp {
 enum class Outside : std::uint8_t {
   missing,  ///< NaN
   nearest,  ///< the value of the nearest observation
-  linear    ///< plane only (Error on the sphere): see PlaneLinear
+  linear    ///< see PlaneLinear; on the sphere of SphereC1 only (else Error)
 };
 
 /// What `max_distance` is measured in on the globe (kilometres both).

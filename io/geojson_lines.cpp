@@ -318,6 +318,10 @@ void Reader::take_geometry(const Level& level) {
          ++polygon)
       is_outline = true;
   }
+  const std::size_t num_rings = result_.rings.size();
+  const auto& ends = result_.region_ends;
+  if (num_rings > (ends.empty() ? 0 : ends.back()))
+    result_.region_ends.push_back(num_rings);
 }
 
 void Reader::take_line(std::span<const std::array<double, 2>> positions) {

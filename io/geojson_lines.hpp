@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ struct GeoJsonLines {
   /// Of Polygon and MultiPolygon, the last position not repeating the first: outlines
   /// counter-clockwise and holes clockwise on the map, whichever way the file has them.
   std::vector<PlaneRing> rings;
+  /// For every Polygon and MultiPolygon with rings how many there are up to its end.
+  std::vector<std::size_t> region_ends;
   /// Of LineString and MultiLineString, two positions or more.
   std::vector<PlaneRing> lines;
   std::int64_t num_points = 0;  ///< of Point and MultiPoint, which are left out

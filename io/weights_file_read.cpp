@@ -11,33 +11,12 @@
 #include "io/netcdf_source.hpp"
 #include "io/table.hpp"
 #include "io/weights_file.hpp"
+#include "io/weights_layout.hpp"
 
 namespace delone::io {
 namespace {
 
 using interp::Operator;
-
-/// What the two layouts call the same things.
-struct SideNames {
-  const char *what, *size, *shape, *x, *y, *mask, *fraction;
-};
-struct Layout {
-  const char *weight, *source_index, *target_index;
-  SideNames source, target;
-};
-constexpr Layout esmf{
-    "S",
-    "col",
-    "row",
-    {"source", "n_a", "src_grid_dims", "xc_a", "yc_a", "mask_a", "frac_a"},
-    {"target", "n_b", "dst_grid_dims", "xc_b", "yc_b", "mask_b", "frac_b"}};
-constexpr Layout scrip{"remap_matrix",
-                       "src_address",
-                       "dst_address",
-                       {"source", "src_grid_size", "src_grid_dims", "src_grid_center_lon",
-                        "src_grid_center_lat", "src_grid_imask", "src_grid_frac"},
-                       {"target", "dst_grid_size", "dst_grid_dims", "dst_grid_center_lon",
-                        "dst_grid_center_lat", "dst_grid_imask", "dst_grid_frac"}};
 
 /// An entry of the matrix, numbered from 0.
 struct Links {
@@ -68,13 +47,13 @@ class WeightsReader {
             .target = std::move(target),
             .fraction = std::move(fraction),
             .title = file_.text(NC_GLOBAL, "title"),
-            .map_method = file_.text(NC_GLOBAL, "map_method"),
+            .map_method = method(),
             .normalization = file_.text(NC_GLOBAL, "normalization")};
   }
 
  private:
-  static const Layout& find_layout(const NetcdfSource& file) {
-    for (const Layout* layout : {&esmf, &scrip}) {
+  static const WeightsNames& find_layout(const NetcdfSource& file) {
+    for (const WeightsNames* layout : {&esmf_names, &scrip_names}) {
       if (file.find_variable(layout->weight) &&
           file.find_variable(layout->source_index) &&
           file.find_variable(layout->target_index))
@@ -83,6 +62,12 @@ class WeightsReader {
     file.fail(
         "no weights: neither S, row and col (ESMF) nor remap_matrix, src_address and "
         "dst_address (SCRIP); name a weight file");
+  }
+
+  /// In the layout of SCRIP map_method is one of a few words.
+  [[nodiscard]] std::string method() const {
+    const std::string own = file_.text(NC_GLOBAL, "method");
+    return own.empty() ? file_.text(NC_GLOBAL, "map_method") : own;
   }
 
   [[nodiscard]] std::string quoted(const char* name) const {
@@ -155,7 +140,7 @@ class WeightsReader {
     return result;
   }
 
-  [[nodiscard]] WeightsSide read_side(const SideNames& names) const {
+  [[nodiscard]] WeightsSide read_side(const WeightsSideNames& names) const {
     WeightsSide side;
     for (const double n : optional_values(names.shape)) {
       if (!(n >= 0 && n <= std::numeric_limits<std::int32_t>::max()))
@@ -177,7 +162,7 @@ class WeightsReader {
     return side;
   }
 
-  void read_units(const SideNames& names, WeightsSide& side) const {
+  void read_units(const WeightsSideNames& names, WeightsSide& side) const {
     const std::string units =
         to_lower(file_.text(*file_.find_variable(names.x), "units"));
     const bool is_radian = units.starts_with("radian");
@@ -194,7 +179,7 @@ class WeightsReader {
 
   /// How many points a side has. What nothing but a header claims may not exceed the
   /// weights by more than masks could explain.
-  [[nodiscard]] std::int64_t size(const SideNames& names, const WeightsSide& side,
+  [[nodiscard]] std::int64_t size(const WeightsSideNames& names, const WeightsSide& side,
                                   std::int64_t num_links) const {
     constexpr double most_a_link = 1024, always = 1 << 24;
     double claimed = 1;
@@ -218,7 +203,8 @@ class WeightsReader {
   }
 
   // A shape that does not fit is that of a grid of corners or cells: a list then.
-  void check_sizes(const SideNames& names, WeightsSide& side, std::int64_t size) const {
+  void check_sizes(const WeightsSideNames& names, WeightsSide& side,
+                   std::int64_t size) const {
     check_length(names.x, side.x.size(), size);
     check_length(names.y, side.y.size(), size);
     check_length(names.mask, side.mask.size(), size);
@@ -260,7 +246,7 @@ class WeightsReader {
   }
 
   const NetcdfSource& file_;
-  const Layout& layout_;
+  const WeightsNames& layout_;
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -5,6 +6,7 @@
 #include "io/netcdf_image.hpp"
 #include "io/table.hpp"
 #include "io/weights_file.hpp"
+#include "io/weights_layout.hpp"
 
 namespace delone::io {
 namespace {
@@ -23,6 +25,10 @@ void check(const WeightsSide& side, Eigen::Index size, const std::string& name) 
   check_size(side.mask.size(), size, name + " mask");
   if (side.x.size() != side.y.size())
     throw Error("the " + name + " has x without y or y without x; give both or none");
+  if (side.corner_x.size() != side.corner_y.size() ||
+      (!side.corner_x.empty() &&
+       (side.x.empty() || side.corner_x.size() % side.x.size() != 0)))
+    throw Error("the " + name + " has not equally many corners a point, in x and y");
   if (side.shape.empty()) return;
   std::int64_t product = 1;
   for (const std::int32_t n : side.shape) {
@@ -43,21 +49,17 @@ std::vector<std::int32_t> shape_of(const WeightsSide& side, Eigen::Index size) {
 /// One side's variables, defined first and filled afterwards.
 class SideWriter {
  public:
-  SideWriter(NetcdfImage& image, const WeightsSide& side, Eigen::Index size, char letter)
+  SideWriter(NetcdfImage& image, const WeightsSide& side, Eigen::Index size,
+             const WeightsSideNames& names)
       : image_(image), side_(side), size_(static_cast<std::size_t>(size)) {
-    const std::string end = std::string("_") + letter;
-    const bool is_source = letter == 'a';
-    const int points = image.add_dimension(("n" + end).c_str(), size);
+    const int points = image.add_dimension(names.size, size);
     const auto rank = std::ssize(shape_of(side, size));
-    const int axes =
-        image.add_dimension(is_source ? "src_grid_rank" : "dst_grid_rank", rank);
-    shape_ =
-        image.add_variable(is_source ? "src_grid_dims" : "dst_grid_dims", {axes}, NC_INT);
-    if (!side.x.empty()) add_coordinates(points, end);
-    mask_ = image.add_variable("mask" + end, {points}, NC_INT);
-    image.add_text(mask_, "units", "unitless");
-    fraction_ = image.add_variable("frac" + end, {points});
-    image.add_text(fraction_, "units", "unitless");
+    const int axes = image.add_dimension(names.rank, rank);
+    shape_ = image.add_variable(names.shape, {axes}, NC_INT);
+    if (!side.x.empty()) add_coordinates(points, names);
+    mask_ = add_variable(names.mask, points, NC_INT);
+    fraction_ = add_variable(names.fraction, points);
+    area_ = add_variable(names.area, points);
   }
 
   void put(const std::vector<double>& fraction) {
@@ -65,25 +67,43 @@ class SideWriter {
     if (!side_.x.empty()) {
       image_.put(x_, side_.x);
       image_.put(y_, side_.y);
+      image_.put(corner_x_, side_.corner_x.empty() ? side_.x : side_.corner_x);
+      image_.put(corner_y_, side_.corner_y.empty() ? side_.y : side_.corner_y);
     }
     image_.put(mask_,
                side_.mask.empty() ? std::vector<std::int32_t>(size_, 1) : side_.mask);
     image_.put(fraction_, fraction);
+    image_.put(area_, std::vector<double>(size_, 0));
   }
 
  private:
-  void add_coordinates(int points, const std::string& end) {
+  int add_variable(const char* name, int points, nc_type type = NC_DOUBLE) {
+    const int variable = image_.add_variable(name, {points}, type);
+    image_.add_text(variable, "units", "unitless");
+    return variable;
+  }
+
+  // NCO does without neither corners nor areas.
+  void add_coordinates(int points, const WeightsSideNames& names) {
     const bool is_globe = side_.space == Mesh::Space::globe;
-    x_ = image_.add_variable("xc" + end, {points});
-    y_ = image_.add_variable("yc" + end, {points});
-    for (const int variable : {x_, y_})
+    const std::size_t num_corners =
+        side_.corner_x.size() / std::max<std::size_t>(size_, 1);
+    const int corners = image_.add_dimension(
+        names.num_corners,
+        side_.corner_x.empty() ? 1 : static_cast<std::int64_t>(num_corners));
+    x_ = image_.add_variable(names.x, {points});
+    y_ = image_.add_variable(names.y, {points});
+    corner_x_ = image_.add_variable(names.corner_x, {points, corners});
+    corner_y_ = image_.add_variable(names.corner_y, {points, corners});
+    for (const int variable : {x_, y_, corner_x_, corner_y_})
       image_.add_text(variable, "units", is_globe ? "degrees" : side_.units);
   }
 
   NetcdfImage& image_;
   const WeightsSide& side_;
   std::size_t size_;
-  int shape_ = 0, x_ = 0, y_ = 0, mask_ = 0, fraction_ = 0;
+  int shape_ = 0, x_ = 0, y_ = 0, corner_x_ = 0, corner_y_ = 0, mask_ = 0, fraction_ = 0,
+      area_ = 0;
 };
 
 std::vector<double> used_targets(const Operator::Matrix& m) {
@@ -116,7 +136,7 @@ std::vector<std::int32_t> rows_from_one(const Operator::Matrix& m) {
   return result;
 }
 
-void check(const std::string& path, const WeightsFile& file) {
+void check(const std::string& path, const WeightsFile& file, WeightsLayout layout) {
   const Operator::Matrix& m = file.weights.matrix();
   check(file.source, m.cols(), "source");
   check(file.target, m.rows(), "target");
@@ -124,6 +144,51 @@ void check(const std::string& path, const WeightsFile& file) {
   constexpr Eigen::Index most = (Eigen::Index{1} << 29) - 1;  // 4 GiB a variable
   if (m.nonZeros() > most)
     throw WriteError(path + ": more than 2^29 - 1 weights; split the targets");
+  if (layout == WeightsLayout::esmf) return;
+  for (const WeightsSide* side : {&file.source, &file.target}) {
+    if (side->space != Mesh::Space::globe || side->x.empty())
+      throw Error(
+          path +
+          ": the layout of SCRIP is for longitude and latitude; take that of ESMF");
+  }
+}
+
+/// What CDO calls a side.
+const char* grid_name(const WeightsSide& side) {
+  return side.shape.size() == 2 ? "lonlat" : "unstructured";
+}
+
+void add_attributes(NetcdfImage& image, const WeightsFile& file, WeightsLayout layout) {
+  const bool is_scrip = layout == WeightsLayout::scrip;
+  // CDO reads no file without.
+  const std::string unnamed = is_scrip ? "weights" : "";
+  image.add_text(NC_GLOBAL, "title", file.title.empty() ? unnamed : file.title);
+  image.add_text(NC_GLOBAL, "normalization", file.normalization);
+  if (!is_scrip) {
+    image.add_text(NC_GLOBAL, "map_method", file.map_method);
+    image.add_text(NC_GLOBAL, "conventions", "NCAR-CSM");
+    return;
+  }
+  image.add_text(NC_GLOBAL, "map_method", "Distance weighted avg of nearest neighbors");
+  image.add_text(NC_GLOBAL, "method", file.map_method);
+  image.add_text(NC_GLOBAL, "conventions", "SCRIP");
+  image.add_text(NC_GLOBAL, "source_grid", grid_name(file.source));
+  image.add_text(NC_GLOBAL, "dest_grid", grid_name(file.target));
+}
+
+double step_of(const interp::Axis& axis) {
+  return axis.parts > 0 ? axis.length / static_cast<double>(axis.parts) : axis.spacing;
+}
+
+/// Half a step from the centre, south-west first, counter-clockwise.
+void add_corners(WeightsSide& side, const interp::Grid& grid, double x, double y) {
+  const double half_x = step_of(grid.x) / 2, half_y = step_of(grid.y) / 2;
+  const bool is_globe = side.space == Mesh::Space::globe;
+  const double most = is_globe ? 90 : std::numeric_limits<double>::infinity();
+  const double south = std::max(y - half_y, -most), north = std::min(y + half_y, most);
+  side.corner_x.insert(side.corner_x.end(),
+                       {x - half_x, x + half_x, x + half_x, x - half_x});
+  side.corner_y.insert(side.corner_y.end(), {south, south, north, north});
 }
 
 }  // namespace
@@ -135,6 +200,7 @@ WeightsSide weights_side(const interp::Grid& grid, Mesh::Space space) {
     for (std::int64_t i = 0; i < grid.x.size; ++i) {
       side.x.push_back(grid.x.coordinate(i));
       side.y.push_back(grid.y.coordinate(j));
+      add_corners(side, grid, side.x.back(), side.y.back());
     }
   }
   side.shape = {static_cast<std::int32_t>(grid.x.size),
@@ -142,21 +208,23 @@ WeightsSide weights_side(const interp::Grid& grid, Mesh::Space space) {
   return side;
 }
 
-void write_weights(const std::string& path, const WeightsFile& file) {
-  check(path, file);
+void write_weights(const std::string& path, const WeightsFile& file,
+                   WeightsLayout layout) {
+  check(path, file, layout);
   const Operator::Matrix& m = file.weights.matrix();
+  const bool is_scrip = layout == WeightsLayout::scrip;
+  const WeightsNames& names = is_scrip ? scrip_names : esmf_names;
   OutputFile output(path);
   NetcdfImage image(path);
-  image.add_text(NC_GLOBAL, "title", file.title);
-  image.add_text(NC_GLOBAL, "normalization", file.normalization);
-  image.add_text(NC_GLOBAL, "map_method", file.map_method);
-  image.add_text(NC_GLOBAL, "conventions", "NCAR-CSM");
-  SideWriter source(image, file.source, m.cols(), 'a');
-  SideWriter target(image, file.target, m.rows(), 'b');
-  const int links = image.add_dimension("n_s", m.nonZeros());
-  const int column = image.add_variable("col", {links}, NC_INT);
-  const int row = image.add_variable("row", {links}, NC_INT);
-  const int weight = image.add_variable("S", {links});
+  add_attributes(image, file, layout);
+  SideWriter source(image, file.source, m.cols(), names.source);
+  SideWriter target(image, file.target, m.rows(), names.target);
+  const int links = image.add_dimension(names.num_links, m.nonZeros());
+  std::vector<int> dimensions{links};
+  if (is_scrip) dimensions.push_back(image.add_dimension("num_wgts", 1));
+  const int column = image.add_variable(names.source_index, {links}, NC_INT);
+  const int row = image.add_variable(names.target_index, {links}, NC_INT);
+  const int weight = image.add_variable(names.weight, dimensions);
   image.end_definitions();
   source.put(used_sources(m));
   target.put(file.fraction.empty() ? used_targets(m) : file.fraction);

@@ -62,11 +62,24 @@ TEST_P(CrossValidate, PredictsEachPointAsTheOthersDo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Method, CrossValidate,
-                         testing::Values("nearest", "linear", "natural", "natural-c1"),
+                         testing::Values("nearest", "linear", "natural", "natural-c1",
+                                         "idw", "shepard", "rbf"),
                          [](const auto& method) {
                            return method.param == "natural-c1" ? "natural_c1"
                                                                : method.param;
                          });
+
+TEST(CrossValidation, OfSmoothIsAboutWhatTheSurfaceExpects) {
+  const Folder folder;
+  const std::string points = folder.write("p.csv", scattered_csv(100));
+  const Outcome outcome =
+      run({"grid", points, "-o", folder / "g.nc", "--method", "smooth", "--smooth", "0.3",
+           "--extrapolate", "linear", "--cross-validate", folder / "left.csv"});
+  expect_success(outcome);
+  EXPECT_NE(outcome.err.find("cross-validation of smooth: 100 points predicted"),
+            std::string::npos)
+      << outcome.err;
+}
 
 TEST(CrossValidation, SaysTheErrorsOfItsTable) {
   const Folder folder;
@@ -158,8 +171,6 @@ TEST(CrossValidation, IsRefusedBeforeAnythingIsWritten) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     expect_failure(run(arguments), 2, words);
   };
-  for (const char* const method : {"idw", "shepard", "rbf"})
-    refuse({"--method", method, "--cross-validate", left}, {method, "natural-c1"});
   refuse({"--cross-validate", folder / "left.nc"}, {"left.nc", ".csv"});
   refuse({"--cross-validate", grid}, {"another output"});
   refuse({"--cross-validate", folder / "./g.csv"}, {"another output"});

@@ -201,7 +201,8 @@ TEST(Curves, WhatGoesWithNoSegmentsIsRefused) {
   expect_failure(sample({"--constraints", line, "--keep-outside", "--method", "c1",
                          "--gradients", "global"}),
                  2, {"--gradients global", "take local"});
-  expect_success(sample({"--constraints", line, "--keep-outside", "--bounded"}));
+  expect_success(
+      sample({"--constraints", line, "--keep-outside", "--method", "c1", "--bounded"}));
   const std::string bare = folder.write(
       "bare.poly", "3 2 0 0\n0 0 0\n1 4 0\n2 0 4\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n");
   expect_failure(run({"grid", bare, "-o", folder / "g.csv"}), 3,

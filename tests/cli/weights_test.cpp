@@ -140,6 +140,53 @@ TEST(WeightsApplied, ColumnsAreTheDataRowsThoughBadOnesWereDropped) {
   EXPECT_EQ(column(folder.read("a.csv"), 2)[0], 2.5);
 }
 
+// smooth goes on between the points as the weights of c1 do.
+TEST(WeightsOfDenseMethods, AppliedAreNearlyWhatSampleGives) {
+  const Folder folder;
+  for (const bool is_globe : {false, true}) {
+    const double wide = is_globe ? 80 : 2;
+    const std::string points =
+        folder.write("p.csv", stations(is_globe ? "lon,lat,a,b" : "x,y,a,b", wide));
+    const std::string queries =
+        folder.write("q.csv", places(is_globe ? "lon,lat" : "x,y", wide));
+    const std::string length = is_globe ? "800" : "0.2";
+    for (const std::vector<std::string>& method :
+         {std::vector<std::string>{"--method", "smooth", "--smooth", length},
+          std::vector<std::string>{"--method", "c1", "--gradients", "global"}}) {
+      std::vector<std::string> weights{"weights", points, queries, "-o", folder / "w.nc"},
+          sample{"sample", points, queries, "-o", folder / "s.csv", "--value", "a"};
+      weights.insert(weights.end(), method.begin(), method.end());
+      sample.insert(sample.end(), method.begin(), method.end());
+      const Outcome outcome = run(weights);
+      expect_success(outcome);
+      EXPECT_NE(outcome.err.find("1e-06"), std::string::npos) << outcome.err;
+      expect_success(run(
+          {"apply", folder / "w.nc", points, "-o", folder / "out.csv", "--value", "a"}));
+      expect_success(run(sample));
+      expect_near(column(folder.read("out.csv"), 2), column(folder.read("s.csv"), 2),
+                  0.02);
+    }
+  }
+}
+
+TEST(WeightsOfDenseMethods, ToleranceLeavesOutSmallWeights) {
+  const Folder folder;
+  const std::string points = folder.write("p.csv", stations("x,y,a,b", 2)),
+                    queries = folder.write("q.csv", places("x,y", 2));
+  std::vector<std::vector<double>> results;
+  std::vector<std::size_t> sizes;
+  for (const std::string tolerance : {"0", "1e-3"}) {
+    expect_success(run({"weights", points, queries, "-o", folder / "w.nc", "--method",
+                        "smooth", "--smooth", "0.2", "--tolerance", tolerance}));
+    expect_success(run(
+        {"apply", folder / "w.nc", points, "-o", folder / "out.csv", "--value", "a"}));
+    results.push_back(column(folder.read("out.csv"), 2));
+    sizes.push_back(folder.read("w.nc").size());
+  }
+  EXPECT_LT(2 * sizes[1], sizes[0]);
+  expect_near(results[0], results[1], 2e-3);
+}
+
 TEST(WeightsUsage, SaysInOneLineWhatIsWrong) {
   const Folder folder;
   const std::string points = folder.write("p.csv", stations("x,y,a,b", 2)),
@@ -154,8 +201,16 @@ TEST(WeightsUsage, SaysInOneLineWhatIsWrong) {
   fails({"weights", points, queries, "-o", w, "--method", "idw"}, 2, "take nearest");
   fails({"weights", points, queries, "-o", w, "--method", "c1", "--bounded"}, 2,
         "leave it out");
-  fails({"weights", points, queries, "-o", w, "--method", "c1", "--gradients", "global"},
-        2, "leave --gradients out");
+  fails({"weights", points, queries, "-o", w, "--method", "smooth"}, 2,
+        "give --smooth L");
+  fails({"weights", points, queries, "-o", w, "--method", "smooth", "--smooth", "auto"},
+        2, "give --smooth L");
+  fails({"weights", points, queries, "-o", w, "--method", "c1", "--smooth", "1"}, 2,
+        "--method smooth");
+  fails({"weights", points, queries, "-o", w, "--tolerance", "1e-3"}, 2, "leave it out");
+  fails({"weights", points, queries, "-o", w, "--method", "smooth", "--smooth", "1",
+         "--tolerance", "1"},
+        2, "0.01");
   fails({"weights", points, queries, "-o", w, "--size", "3/3"}, 2, "TARGETS");
   fails({"weights", points, "-o", w, "--query-x", "x"}, 2, "TARGETS");
   fails({"weights", points, queries, "-o", folder / "w.csv"}, 2, "nc");

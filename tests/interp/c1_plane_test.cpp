@@ -233,6 +233,17 @@ TEST(PlaneC1, QuarticFitsAreMoreAccurateOnSmoothData) {
   EXPECT_LT(rms_error(points, quartic), rms_error(points, {}) / 3);
 }
 
+// Where some nodes at the hull are predicted by nothing: they lie far from the lines
+// between the corners of the square, along which their triangles are needles.
+TEST(PlaneC1, NodesAtTheHullChooseForNoOthers) {
+  PlanePoints points = support::uniform_points(9996, 12);
+  for (const double x : {0.0, 1.0}) points.insert(points.end(), {{x, 0}, {x, 1}});
+  C1Options quartic;
+  quartic.degree = FitDegree::quartic;
+  EXPECT_LT(rms_error(points, quartic), 4e-7);
+  EXPECT_LT(rms_error(points, {}), 2e-6);
+}
+
 TEST(PlaneC1, ReproducesQuadraticFunctions) {
   const auto quadratic = [](Point2 p) {
     return 3 - p.x + 2 * p.y + p.x * p.x - 3 * p.x * p.y + 0.5 * p.y * p.y;

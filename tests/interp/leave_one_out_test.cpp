@@ -7,6 +7,7 @@
 
 #include "delaunay/error.hpp"
 #include "interp/index.hpp"
+#include "interp/left_out_checks.hpp"
 #include "interp/linear_surface.hpp"
 #include "interp/nearest_surface.hpp"
 #include "interp/surfaces.hpp"
@@ -20,21 +21,7 @@ using support::PlanePoints;
 using support::random_values;
 using support::SpherePoints;
 using support::triangulated;
-
-// The rows that are at other positions, and their values.
-template <class Triangulation, class Points>
-std::pair<Points, std::vector<double>> without(const Triangulation& t,
-                                               const Points& points,
-                                               std::span<const double> values,
-                                               Site site) {
-  std::pair<Points, std::vector<double>> rest;
-  for (std::size_t row = 0; row < points.size(); ++row) {
-    if (t.sites()[row] == site) continue;
-    rest.first.push_back(points[row]);
-    rest.second.push_back(values[row]);
-  }
-  return rest;
-}
+using support::without;
 
 // The judge: the surface over a triangulation built without the position.
 template <class Surface, class Triangulation, class Points>

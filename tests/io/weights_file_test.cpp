@@ -82,6 +82,43 @@ TEST(WeightsFile, OfTheGlobeHasDegreesAndMasks) {
   EXPECT_EQ(back.fraction[0], 0.5);
 }
 
+TEST(WeightsFile, InTheLayoutOfScripIsReadBackWithItsMethod) {
+  const TemporaryFolder folder;
+  WeightsFile file = small_weights();
+  file.source.space = file.target.space = Mesh::Space::globe;
+  file.map_method = "c1";
+  write_weights(folder.path("a.nc"), file, WeightsLayout::scrip);
+  const WeightsFile back = read_weights(folder.path("a.nc"));
+  expect_same_matrix(back.weights, file.weights);
+  EXPECT_EQ(back.source.x, file.source.x);
+  EXPECT_EQ(back.target.y, file.target.y);
+  EXPECT_EQ(back.target.shape, (std::vector<std::int32_t>{3, 2}));
+  EXPECT_EQ(back.fraction, (Doubles{1, 1, 1, 1, 1, 0}));
+  EXPECT_EQ(back.map_method, "c1");
+}
+
+TEST(WeightsFile, InTheLayoutOfScripIsOfTheGlobe) {
+  const TemporaryFolder folder;
+  EXPECT_NE(message_of<Error>([&] {
+              write_weights(folder.path("a.nc"), small_weights(), WeightsLayout::scrip);
+            }).find("ESMF"),
+            std::string::npos);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(WeightsFile, CellsOfAGridReachHalfAStepAndUpToThePoles) {
+  const interp::Grid grid = interp::globe_grid({0, 90, -90, 90}, interp::Spacing{45, 90});
+  const WeightsSide side = weights_side(grid, Mesh::Space::globe);
+  ASSERT_EQ(side.x.size(), 9u);
+  ASSERT_EQ(side.corner_x.size(), 36u);
+  EXPECT_EQ(Doubles(side.corner_x.begin(), side.corner_x.begin() + 4),
+            (Doubles{-22.5, 22.5, 22.5, -22.5}));
+  EXPECT_EQ(Doubles(side.corner_y.begin(), side.corner_y.begin() + 4),
+            (Doubles{-90, -90, -45, -45}));
+  EXPECT_EQ(Doubles(side.corner_y.end() - 4, side.corner_y.end()),
+            (Doubles{45, 45, 90, 90}));
+}
+
 TEST(WeightsFile, GivesTheSameBytesForTheSameWeights) {
   const TemporaryFolder folder;
   write_weights(folder.path("a.nc"), small_weights());
