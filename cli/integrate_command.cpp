@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <concepts>
 #include <iterator>
-#include <limits>
 #include <memory>
 
 #include "cli/output.hpp"
@@ -35,14 +33,6 @@ struct Row {
 };
 
 void check(const Settings& settings) {
-  if (settings.surface.method != Method::linear && settings.surface.method != Method::c1)
-    throw UsageError(fmt::format("integrate works with --method linear and c1, not {}",
-                                 name_of(settings.surface.method)));
-  if (settings.surface.outside != interp::Outside::missing ||
-      std::isfinite(settings.surface.max_distance))
-    throw UsageError(
-        "integrate counts what is triangulated, all of it; leave out --extrapolate and "
-        "--max-distance");
   if (settings.is_each_ring && settings.regions.empty())
     throw UsageError(
         "--each-ring needs a file of regions: delone integrate POINTS "
@@ -124,8 +114,7 @@ std::vector<Row> rows_of(const auto& surface, const Settings& settings,
                          Reporter& reporter) {
   const auto run = [&] { return reporter.run_options("integrating"); };
   if (settings.regions.empty())
-    return {{"all", integral(surface, Region(), points, run()),
-             std::numeric_limits<double>::quiet_NaN()}};
+    return {{"all", integral(surface, Region(), points, run())}};
   std::vector<Row> rows;
   for (const NamedRings& named : regions) {
     const Region region = region_of<Region>(settings, named);
@@ -222,7 +211,7 @@ Command add_integrate_command(CLI::App& program) {
                  "GeoJSON, whose polygons are a region each, or a table of rings (ring "
                  "number, x, y); without it everything that is triangulated")
       ->type_name("REGIONS");
-  add_surface_options(app, settings->surface);
+  add_triangle_surface_options(app, settings->surface);
   app.add_flag("--each-ring", settings->is_each_ring,
                "Every ring of a table is a region; else all together are one, of what an "
                "odd number of rings enclose");

@@ -225,6 +225,30 @@ void check_extrapolation(const Points& points, const SurfaceSettings& settings) 
   }
 }
 
+void add_c1_options(CLI::App& app, SurfaceSettings& settings) {
+  add_choice<interp::Gradients>(
+      app, "--gradients", settings.gradients, gradient_choices,
+      "c1: at the nodes, fitted to the values around each (local), or of least curvature "
+      "of all together (global); auto (default): whichever predicts left-out points "
+      "better");
+  const auto set_tension = [&settings](const double& tension) {
+    if (!(tension >= 0 && tension <= 1))
+      throw UsageError("--tension takes a number from 0 (smooth) to 1 (next to linear)");
+    settings.tension = tension;
+  };
+  app.add_option_function<double>(
+         "--tension", set_tension,
+         "c1: 0 (smooth) to 1 (next to linear); default: what predicts left-out points "
+         "best")
+      ->type_name("T");
+  app.add_flag("--bounded", settings.is_bounded,
+               "c1: stay among the values around each triangle");
+  add_choice<interp::FitDegree>(app, "--fit-degree", settings.degree, degree_choices,
+                                "c1: 3 (default) or, for smooth data, 4");
+  for (const char* const name : {"--gradients", "--tension", "--bounded", "--fit-degree"})
+    settings.c1_options.push_back(app.get_option(name));
+}
+
 }  // namespace
 
 std::string_view name_of(Method method) {
@@ -261,27 +285,15 @@ void add_surface_options(CLI::App& app, SurfaceSettings& settings) {
          "Missing where every point is farther: kilometres, on the plane the "
          "unit of x and y")
       ->type_name("D");
-  add_choice<interp::Gradients>(
-      app, "--gradients", settings.gradients, gradient_choices,
-      "c1: at the nodes, fitted to the values around each (local), or of least curvature "
-      "of all together (global); auto (default): whichever predicts left-out points "
-      "better");
-  const auto set_tension = [&settings](const double& tension) {
-    if (!(tension >= 0 && tension <= 1))
-      throw UsageError("--tension takes a number from 0 (smooth) to 1 (next to linear)");
-    settings.tension = tension;
-  };
-  app.add_option_function<double>(
-         "--tension", set_tension,
-         "c1: 0 (smooth) to 1 (next to linear); default: what predicts left-out points "
-         "best")
-      ->type_name("T");
-  app.add_flag("--bounded", settings.is_bounded,
-               "c1: stay among the values around each triangle");
-  add_choice<interp::FitDegree>(app, "--fit-degree", settings.degree, degree_choices,
-                                "c1: 3 (default) or, for smooth data, 4");
-  for (const char* const name : {"--gradients", "--tension", "--bounded", "--fit-degree"})
-    settings.c1_options.push_back(app.get_option(name));
+  add_c1_options(app, settings);
+}
+
+void add_triangle_surface_options(CLI::App& app, SurfaceSettings& settings) {
+  const std::vector<Choice<Method>> choices{{"linear", Method::linear},
+                                            {"c1", Method::c1}};
+  add_choice<Method>(app, "--method", settings.method, choices,
+                     "linear (default) or c1 (smooth)");
+  add_c1_options(app, settings);
 }
 
 GlobeOptions globe_options(const Points& points, const SurfaceSettings& settings) {

@@ -75,6 +75,10 @@ struct SurfaceSettings {
 /// --bounded, --fit-degree.
 void add_surface_options(CLI::App& app, SurfaceSettings& settings);
 
+/// The same for what stays within the triangles: --method linear or c1, and what c1
+/// takes.
+void add_triangle_surface_options(CLI::App& app, SurfaceSettings& settings);
+
 /// Throws UsageError for an option of c1 on the command line with another method, also
 /// one with the default's meaning.
 void check_c1_options(const SurfaceSettings& settings);

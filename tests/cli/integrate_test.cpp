@@ -144,7 +144,8 @@ TEST(Integrate, SaysInOneLineWhatIsWrong) {
                       "r.geojson"),
                  3, {"r.geojson"});
   expect_failure(run({"integrate", points, folder / "none.csv"}), 3, {"none.csv"});
-  expect_failure(run({"integrate", points, "--method", "natural"}), 2, {"linear and c1"});
+  expect_failure(run({"integrate", points, "--method", "natural"}), 2,
+                 {"--method", "linear", "c1"});
   expect_failure(run({"integrate", points, "--extrapolate", "nearest"}), 2,
                  {"--extrapolate"});
   expect_failure(run({"integrate", points, "--each-ring"}), 2, {"REGIONS"});
