@@ -174,7 +174,7 @@ void say(const Points& points, const Validation& validation, Method method,
       counted(report.count, "point"),
       report.num_missing == 0
           ? ""
-          : fmt::format(", {} outside of them (--extrapolate predicts these too)",
+          : fmt::format(", {} outside of them (--extrapolate nearest predicts these too)",
                         report.num_missing));
   if (report.count == 0) return;
   say_errors(report, reporter);

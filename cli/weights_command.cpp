@@ -106,6 +106,13 @@ void check_layout(const Settings& settings, const Points& points) {
   }
 }
 
+void check_rim(const SurfaceSettings& surface, const Points& points) {
+  if (surface.outside != interp::Outside::linear || points.is_on_plane()) return;
+  throw UsageError(
+      "weights on the globe end where the triangles do; take --extrapolate nearest, or "
+      "leave it out");
+}
+
 /// A row of smoothing weights takes a solution over all points.
 void check_size(std::size_t num_targets, delaunay::Site num_points) {
   constexpr double most = 0x1p31;
@@ -235,6 +242,7 @@ ExitCode run(const Settings& settings, Reporter& reporter) {
   check_output(settings.output.path, {settings.points.path, settings.targets.path});
   const Points points = read_points(settings.points, reporter);
   check_layout(settings, points);
+  check_rim(settings.surface, points);
   const Triangulated triangulated = triangulate(points, reporter);
   const Targets targets = choose_targets(settings, points, triangulated, reporter);
   const interp::Operator weights = reporter.timed(Phase::evaluate, [&] {

@@ -102,7 +102,8 @@ TEST(CrossValidation, SaysTheErrorsOfItsTable) {
   EXPECT_NE(outcome.err.find(words.str()), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find(std::to_string(count) + " points predicted"),
             std::string::npos);
-  EXPECT_NE(outcome.err.find("--extrapolate predicts these too"), std::string::npos);
+  EXPECT_NE(outcome.err.find("--extrapolate nearest predicts these too"),
+            std::string::npos);
 }
 
 TEST(CrossValidation, FlagsTheRowThatIsWrong) {

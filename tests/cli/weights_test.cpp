@@ -214,6 +214,9 @@ TEST(WeightsUsage, SaysInOneLineWhatIsWrong) {
   fails({"weights", points, queries, "-o", w, "--size", "3/3"}, 2, "TARGETS");
   fails({"weights", points, "-o", w, "--query-x", "x"}, 2, "TARGETS");
   fails({"weights", points, queries, "-o", folder / "w.csv"}, 2, "nc");
+  fails({"weights", folder.write("g.csv", stations("lon,lat,a,b", 80)), "--spacing", "30",
+         "-o", w, "--method", "c1", "--extrapolate", "linear"},
+        2, "take --extrapolate nearest");
   fails({"weights", folder / "none.csv", queries, "-o", w}, 3, "none.csv");
   expect_success(run({"weights", points, queries, "-o", w}));
   fails({"apply", w, queries, "-o", folder / "a.csv"}, 3, "40 data rows");

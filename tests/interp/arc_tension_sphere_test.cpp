@@ -7,7 +7,7 @@
 
 #include "delaunay/error.hpp"
 #include "interp/arc_tension_cells.hpp"
-#include "interp/arc_tension_surface.hpp"
+#include "interp/arc_tension_checks.hpp"
 #include "interp/blend_variable.hpp"
 #include "interp/node_gradients.hpp"
 #include "interp/surfaces.hpp"
@@ -21,14 +21,9 @@ using support::random_values;
 using support::sampled;
 using support::SpherePoints;
 using support::triangulated;
+using support::with_shape;
 
 RunOptions threads(int count) { return {.num_threads = count, .progress = {}}; }
-
-TensionSplineOptions with_shape(ArcShape shape) {
-  TensionSplineOptions options;
-  options.demand.shape = shape;
-  return options;
-}
 
 double wave(const Direction& p) { return std::cos(3 * p.x()) + p.y() * p.z(); }
 
