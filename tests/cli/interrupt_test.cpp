@@ -41,7 +41,7 @@ TEST_P(Interrupt, WhileWritingLeavesNoPartialFileAndTheEarlierOne) {
   ASSERT_TRUE(process.is_running()) << "the run was over before it could be interrupted";
   process.send(GetParam());
   const Outcome outcome = process.wait();
-  EXPECT_EQ(outcome.signal, GetParam());
+  ASSERT_EQ(outcome.signal, GetParam());
   EXPECT_EQ(folder.read("g.csv"), "earlier");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"g.csv", "p.csv"}));
 }

@@ -64,6 +64,31 @@ std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
+namespace {
+
+/// What a shell lets a job in the background ignore (SIGINT) is not ignored by the
+/// program.
+class SignalsByDefault {
+ public:
+  SignalsByDefault() {
+    posix_spawnattr_init(&attributes_);
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+  }
+  SignalsByDefault(const SignalsByDefault&) = delete;
+  SignalsByDefault& operator=(const SignalsByDefault&) = delete;
+  ~SignalsByDefault() { posix_spawnattr_destroy(&attributes_); }
+  [[nodiscard]] const posix_spawnattr_t* attributes() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
+}  // namespace
+
 Process::Process(const std::vector<std::string>& arguments, const Streams& streams)
     : keeps_out_(streams.out_path.empty()) {
   const std::string in = folder_.write("in", streams.input), err = folder_ / "err";
@@ -81,8 +106,9 @@ Process::Process(const std::vector<std::string>& arguments, const Streams& strea
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  const int error =
-      posix_spawn(&pid_, DELONE_PROGRAM, &actions, nullptr, argv.data(), environ);
+  const SignalsByDefault signals;
+  const int error = posix_spawn(&pid_, DELONE_PROGRAM, &actions, signals.attributes(),
+                                argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw std::runtime_error("cannot run " DELONE_PROGRAM);
 }
