@@ -67,7 +67,7 @@ double s6(const Direction& p) { return 2 + p.x() * p.x() - p.y() * p.y(); }
 class SphereC1OnSets : public testing::TestWithParam<support::SphereFamily> {};
 
 TEST_P(SphereC1OnSets, GivesNodesTheirValuesBitForBit) {
-  const SpherePoints points = GetParam().make(300, 1);
+  const SpherePoints points = support::affordable(GetParam(), 300, 1);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 2);
   const std::vector<double> merged = values_at_sites(t->sites(), t->num_sites(), values);
@@ -79,7 +79,7 @@ TEST_P(SphereC1OnSets, GivesNodesTheirValuesBitForBit) {
 }
 
 TEST_P(SphereC1OnSets, IsFiniteAndWithinTheWidenedRangeOnTheRegion) {
-  const SpherePoints points = GetParam().make(250, 3);
+  const SpherePoints points = support::affordable(GetParam(), 250, 3);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 4);
   const std::vector<double> merged = values_at_sites(t->sites(), t->num_sites(), values);
@@ -96,7 +96,7 @@ TEST_P(SphereC1OnSets, IsFiniteAndWithinTheWidenedRangeOnTheRegion) {
 }
 
 TEST_P(SphereC1OnSets, GivesTheSameBitsHoweverItIsAsked) {
-  const SpherePoints points = GetParam().make(200, 9);
+  const SpherePoints points = support::affordable(GetParam(), 200, 9);
   const auto t = triangulated(points);
   if (t->num_sites() < 3) return;
   const std::vector<double> values = random_values(points.size(), 10);
@@ -115,7 +115,7 @@ TEST_P(SphereC1OnSets, GivesTheSameBitsHoweverItIsAsked) {
 }
 
 TEST_P(SphereC1OnSets, ReproducesConstantsExactly) {
-  const SpherePoints points = GetParam().make(100, 13);
+  const SpherePoints points = support::affordable(GetParam(), 100, 13);
   const auto t = triangulated(points);
   const SphereC1 surface(t, std::vector<double>(points.size(), 0.1));
   for (const double v : surface.values(points_of_the_region(*t, 14)))

@@ -52,7 +52,7 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& wa
 class PlaneLeaveOneOutOnSets : public testing::TestWithParam<support::PlaneFamily> {};
 
 TEST_P(PlaneLeaveOneOutOnSets, LinearEqualsRebuildingWithoutThePosition) {
-  const PlanePoints points = GetParam().make(120, 3);
+  const PlanePoints points = support::affordable(GetParam(), 120, 3);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 4);
   const LeaveOneOut left_out = leave_out_linear(t, values);
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(Plane, PlaneLeaveOneOutOnSets,
 class SphereLeaveOneOutOnSets : public testing::TestWithParam<support::SphereFamily> {};
 
 TEST_P(SphereLeaveOneOutOnSets, LinearEqualsRebuildingWithoutThePosition) {
-  const SpherePoints points = GetParam().make(120, 3);
+  const SpherePoints points = support::affordable(GetParam(), 120, 3);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 4);
   const LeaveOneOut left_out = leave_out_linear(t, values);

@@ -167,7 +167,7 @@ TEST(PlaneNatural, WeightsAreStolenAreasAndEdgeRatios) {
 class PlaneNaturalOnSets : public testing::TestWithParam<support::PlaneFamily> {};
 
 TEST_P(PlaneNaturalOnSets, GivesNodesTheirValuesBitForBit) {
-  const PlanePoints points = GetParam().make(300, 1);
+  const PlanePoints points = support::affordable(GetParam(), 300, 1);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 2);
   const std::vector<double> merged = values_at_sites(t->sites(), t->num_sites(), values);
@@ -181,7 +181,7 @@ TEST_P(PlaneNaturalOnSets, GivesNodesTheirValuesBitForBit) {
 }
 
 TEST_P(PlaneNaturalOnSets, WeightsAreNotNegativeWithSumOneOnTheClosedHull) {
-  const PlanePoints points = GetParam().make(250, 3);
+  const PlanePoints points = support::affordable(GetParam(), 250, 3);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 4);
   for (const NaturalKind kind : kinds) {
@@ -207,7 +207,7 @@ TEST_P(PlaneNaturalOnSets, WeightsAreNotNegativeWithSumOneOnTheClosedHull) {
 }
 
 TEST_P(PlaneNaturalOnSets, ValuesDoNotDependOnOrderOrThreads) {
-  const PlanePoints points = GetParam().make(200, 6);
+  const PlanePoints points = support::affordable(GetParam(), 200, 6);
   const auto t = triangulated(points);
   const auto f = [](Point2 p) { return std::sin(p.x) + std::cos(p.y); };
   const PlanePoints queries = support::shuffled(points_of_the_hull(*t, 7), 8);
@@ -229,7 +229,7 @@ TEST_P(PlaneNaturalOnSets, ValuesDoNotDependOnOrderOrThreads) {
 }
 
 TEST_P(PlaneNaturalOnSets, ReproducesConstantsExactly) {
-  const PlanePoints points = GetParam().make(200, 10);
+  const PlanePoints points = support::affordable(GetParam(), 200, 10);
   const auto t = triangulated(points);
   const std::vector<double> constant(points.size(), 0.1);
   for (const NaturalKind kind : kinds) {
@@ -243,7 +243,7 @@ TEST_P(PlaneNaturalOnSets, ReproducesConstantsExactly) {
 }
 
 TEST_P(PlaneNaturalOnSets, GradientsAreFiniteOnTheClosedHull) {
-  const PlanePoints points = GetParam().make(120, 12);
+  const PlanePoints points = support::affordable(GetParam(), 120, 12);
   const auto t = triangulated(points);
   double largest = 0;
   for (const Point2 p : points)

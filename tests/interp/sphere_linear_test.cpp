@@ -44,7 +44,7 @@ SpherePoints points_of_the_region(const stripack::Triangulation& t, std::uint64_
 class SphereLinearOnSets : public testing::TestWithParam<support::SphereFamily> {};
 
 TEST_P(SphereLinearOnSets, GivesNodesTheirValuesBitForBit) {
-  const SpherePoints points = GetParam().make(400, 1);
+  const SpherePoints points = support::affordable(GetParam(), 400, 1);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 2);
   const std::vector<double> merged = values_at_sites(t->sites(), t->num_sites(), values);
@@ -56,7 +56,7 @@ TEST_P(SphereLinearOnSets, GivesNodesTheirValuesBitForBit) {
 }
 
 TEST_P(SphereLinearOnSets, IsFiniteAndWithinTheDataOnTheClosedRegion) {
-  const SpherePoints points = GetParam().make(300, 3);
+  const SpherePoints points = support::affordable(GetParam(), 300, 3);
   const auto t = triangulated(points);
   const SphereLinear surface(t, random_values(points.size(), 4));
   for (const Direction& p : points_of_the_region(*t, 5)) {
@@ -70,7 +70,7 @@ TEST_P(SphereLinearOnSets, IsFiniteAndWithinTheDataOnTheClosedRegion) {
 }
 
 TEST_P(SphereLinearOnSets, ValuesDoNotDependOnOrderOrThreads) {
-  const SpherePoints points = GetParam().make(300, 6);
+  const SpherePoints points = support::affordable(GetParam(), 300, 6);
   const auto t = triangulated(points);
   const auto f = [](const Direction& p) {
     return p.x() + std::sin(3 * p.y()) - p.z() * p.x();
@@ -91,7 +91,7 @@ TEST_P(SphereLinearOnSets, ValuesDoNotDependOnOrderOrThreads) {
 }
 
 TEST_P(SphereLinearOnSets, ReproducesConstantsExactly) {
-  const SpherePoints points = GetParam().make(300, 10);
+  const SpherePoints points = support::affordable(GetParam(), 300, 10);
   const auto t = triangulated(points);
   const SphereLinear surface(t, std::vector<double>(points.size(), 0.1),
                              {.outside = Outside::nearest});

@@ -233,7 +233,7 @@ TEST(SphereNatural, WeightsOfTinyCellsAreStolenAreas) {
 class SphereNaturalOnSets : public testing::TestWithParam<support::SphereFamily> {};
 
 TEST_P(SphereNaturalOnSets, GivesNodesTheirValuesBitForBit) {
-  const SpherePoints points = GetParam().make(300, 1);
+  const SpherePoints points = support::affordable(GetParam(), 300, 1);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 2);
   const std::vector<double> merged = values_at_sites(t->sites(), t->num_sites(), values);
@@ -247,7 +247,7 @@ TEST_P(SphereNaturalOnSets, GivesNodesTheirValuesBitForBit) {
 }
 
 TEST_P(SphereNaturalOnSets, WeightsAreNotNegativeWithSumOneOnTheClosedRegion) {
-  const SpherePoints points = GetParam().make(250, 3);
+  const SpherePoints points = support::affordable(GetParam(), 250, 3);
   const auto t = triangulated(points);
   const std::vector<double> values = random_values(points.size(), 4);
   for (const NaturalKind kind : kinds) {
@@ -273,7 +273,7 @@ TEST_P(SphereNaturalOnSets, WeightsAreNotNegativeWithSumOneOnTheClosedRegion) {
 }
 
 TEST_P(SphereNaturalOnSets, ValuesDoNotDependOnOrderOrThreads) {
-  const SpherePoints points = GetParam().make(200, 6);
+  const SpherePoints points = support::affordable(GetParam(), 200, 6);
   const auto t = triangulated(points);
   const auto f = [](const Direction& p) { return std::sin(5 * p.x()) + p.y() * p.z(); };
   const SpherePoints queries = support::shuffled(points_of_the_region(*t, 7), 8);
@@ -295,7 +295,7 @@ TEST_P(SphereNaturalOnSets, ValuesDoNotDependOnOrderOrThreads) {
 }
 
 TEST_P(SphereNaturalOnSets, ReproducesConstantsExactly) {
-  const SpherePoints points = GetParam().make(200, 10);
+  const SpherePoints points = support::affordable(GetParam(), 200, 10);
   const auto t = triangulated(points);
   const std::vector<double> constant(points.size(), 0.1);
   for (const NaturalKind kind : kinds) {
@@ -309,7 +309,7 @@ TEST_P(SphereNaturalOnSets, ReproducesConstantsExactly) {
 }
 
 TEST_P(SphereNaturalOnSets, GradientsAreFiniteOnTheClosedRegion) {
-  const SpherePoints points = GetParam().make(120, 12);
+  const SpherePoints points = support::affordable(GetParam(), 120, 12);
   const auto t = triangulated(points);
   const SphereLinear linear(t, random_values(points.size(), 13));
   for (const NaturalKind kind : kinds) {
