@@ -266,7 +266,7 @@ BlendChoice best_candidate(const Space& space,
                            std::span<const double> site_values,
                            const BlendCandidates& candidates,
                            const BlendFitOptions& options, const RunOptions& run) {
-  constexpr double well_predicted = 0.2;  // of the linear surface's errors
+  constexpr double well_predicted = 0.05;  // of the linear surface's errors
   const auto prediction = [&](const BlendCandidates& of_one_kind) {
     return predict<Space, Degree>(space, triangulation, site_values, of_one_kind, options,
                                   run);

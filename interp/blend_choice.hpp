@@ -23,8 +23,8 @@ struct BlendChoice {
 /// Leaves out nodes one by one and predicts each from the surface that is fitted without
 /// it in the triangle that then lies in its place. All nodes of a small set, of a large
 /// one some hundreds spread along the curve. Nodes on the boundary are not counted.
-/// Global gradients are tried where local ones do not come down to a fifth of the linear
-/// surface's errors. Cost: 40 microseconds a node, for global ones as much again.
+/// Global gradients are tried where local ones do not come down to a twentieth of the
+/// linear surface's errors. Cost: 40 microseconds a node, for global ones as much again.
 template <BlendSpace Space, int Degree>
 [[nodiscard]] BlendChoice choose_blend(const Space& space,
                                        const typename Space::Triangulation& triangulation,
